@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "geometry/exact_positions.h"
+#include "geometry/grouped.h"
 #include "geometry/id.h"
 #include "geometry/mesh_shape.h"
 #include "geometry/predicates.h"
@@ -72,8 +73,7 @@ class MeshChecker {
   UnionFind fans_;                    ///< corners, named like half-edges, joined at their vertex
   std::vector<char> is_loose_;        ///< by triangle: whether an edge has a defect
   std::vector<std::uint32_t> edges_;  ///< by triangle: edges visited first from it
-  std::vector<std::uint32_t> first_;  ///< by vertex, its first half-edge in half_edges_
-  std::vector<HalfEdge> half_edges_;  ///< grouped by the smaller end, then sorted
+  Grouped<HalfEdge> half_edges_;      ///< by the smaller end, then sorted
 };
 
 void MeshChecker::check_triangles() {
@@ -94,8 +94,7 @@ void MeshChecker::check_triangles() {
 }
 
 void MeshChecker::file_half_edges() {
-  first_.assign(mesh_.positions.size() + 2, 0);
-  const auto for_each = [&](auto visit) {
+  half_edges_ = grouped<HalfEdge>(mesh_.positions.size(), [&](auto visit) {
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
       if (repeats_a_corner(t)) continue;
       for (std::uint32_t k = 0; k < 3; ++k) {
@@ -103,23 +102,18 @@ void MeshChecker::file_half_edges() {
         visit(std::min(a, b), HalfEdge{std::max(a, b), 3 * t + k});
       }
     }
-  };
-  for_each([&](std::uint32_t a, HalfEdge) { ++first_[a + 2]; });
-  std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  half_edges_.resize(first_.back());
-  for_each([&](std::uint32_t a, HalfEdge h) { half_edges_[first_[a + 1]++] = h; });
-  first_.pop_back();
+  });
 }
 
 void MeshChecker::check_edges() {
   for (std::uint32_t a = 0; a < mesh_.positions.size(); ++a) {
-    const auto begin = half_edges_.begin() + first_[a], end = half_edges_.begin() + first_[a + 1];
-    std::sort(begin, end, [](const HalfEdge& g, const HalfEdge& h) {
+    const std::span<HalfEdge> at_vertex = half_edges_.of(a);
+    std::ranges::sort(at_vertex, [](const HalfEdge& g, const HalfEdge& h) {
       return g.other != h.other ? g.other < h.other : g.id < h.id;
     });
-    for (auto from = begin; from != end;) {
+    for (auto from = at_vertex.begin(); from != at_vertex.end();) {
       auto to = from + 1;
-      while (to != end && to->other == from->other) ++to;
+      while (to != at_vertex.end() && to->other == from->other) ++to;
       check_edge(a, {from, to});
       from = to;
     }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 
+#include "geometry/grouped.h"
 #include "geometry/parallel.h"
 #include "geometry/prefetch.h"
 #include "geometry/triangulator.h"
@@ -59,36 +59,22 @@ void sort_few_unique(std::vector<Value>& values) {
 
 /// Simplices by their first corner.
 template <std::size_t Size>
-struct Buckets {
-  Simplices<Size> simplices = {};
-  std::vector<std::uint32_t> starts = {0};  ///< by atom, then the end
-
-  std::span<std::array<AtomId, Size>> of(AtomId atom) {
-    const std::uint32_t start = starts[atom.index()];
-    return std::span(simplices).subspan(start, starts[atom.index() + 1] - start);
-  }
-  /// Adds those of the next atom, each made of a value.
-  template <class Values, class Simplex>
-  void append(const Values& values, Simplex simplex) {
-    std::uint32_t at = starts.back();
-    simplices.resize(at + values.size());
-    for (const auto value : values) simplices[at++] = simplex(value);
-    starts.push_back(at);
-  }
-};
+using Buckets = Grouped<std::array<AtomId, Size>>;
 
 template <std::size_t Size>
 Buckets<Size> into_buckets(const Simplices<Size>& simplices, std::size_t atom_count) {
-  Buckets<Size> result{Simplices<Size>(simplices.size()),
-                       std::vector<std::uint32_t>(atom_count + 2, 0)};
-  auto& starts = result.starts;
-  for (const auto& simplex : simplices) ++starts[simplex[0].index() + 2];
-  std::partial_sum(starts.begin(), starts.end(), starts.begin());
-  for (const auto& simplex : simplices) {
-    result.simplices[starts[simplex[0].index() + 1]++] = simplex;
-  }
-  starts.pop_back();
-  return result;
+  return grouped<std::array<AtomId, Size>>(atom_count, [&](auto visit) {
+    for (const auto& simplex : simplices) visit(simplex[0].index(), simplex);
+  });
+}
+
+/// Adds the simplices that begin with the next atom, each made of a value.
+template <std::size_t Size, class Values, class Simplex>
+void append(Buckets<Size>& buckets, const Values& values, Simplex simplex) {
+  std::uint32_t at = buckets.first.back();
+  buckets.items.resize(at + values.size());
+  for (const auto value : values) buckets.items[at++] = simplex(value);
+  buckets.first.push_back(at);
 }
 
 /// One after the other, of consecutive atoms.
@@ -97,14 +83,14 @@ Buckets<Size> joined(const std::vector<Buckets<Size>>& parts, unsigned threads) 
   Buckets<Size> result;
   std::vector<std::uint32_t> offsets;
   for (const Buckets<Size>& part : parts) {
-    const std::uint32_t offset = offsets.emplace_back(result.starts.back());
-    for (const std::uint32_t end : std::span(part.starts).subspan(1)) {
-      result.starts.push_back(offset + end);
+    const std::uint32_t offset = offsets.emplace_back(result.first.back());
+    for (const std::uint32_t end : std::span(part.first).subspan(1)) {
+      result.first.push_back(offset + end);
     }
   }
-  result.simplices.resize(result.starts.back());
+  result.items.resize(result.first.back());
   for_each_task(threads, parts.size(), [&](std::size_t k) {
-    std::ranges::copy(parts[k].simplices, result.simplices.begin() + offsets[k]);
+    std::ranges::copy(parts[k].items, result.items.begin() + offsets[k]);
   });
   return result;
 }
@@ -204,14 +190,14 @@ Complex complete(Found found, std::size_t atom_count, unsigned threads) {
     std::vector<AtomId> seconds;
     for (std::size_t i = begin; i < end; ++i) {
       const AtomId a(i);
-      sort_few(tetrahedra.of(a));
+      sort_few(tetrahedra.of(i));
       pairs.clear();
-      for (const auto& [same, b, c, d] : tetrahedra.of(a)) {
+      for (const auto& [same, b, c, d] : tetrahedra.of(i)) {
         pairs.insert(pairs.end(), {pair_of(b, c), pair_of(b, d), pair_of(c, d)});
       }
-      for (const auto& triangle : other_triangles.of(a)) pairs.push_back(rest_of(triangle));
+      for (const auto& triangle : other_triangles.of(i)) pairs.push_back(rest_of(triangle));
       sort_few_unique(pairs);
-      triangles[block].append(pairs, [&](std::uint64_t pair) {
+      append(triangles[block], pairs, [&](std::uint64_t pair) {
         return std::array{a, first_of(pair), second_of(pair)};
       });
       seconds.clear();
@@ -219,9 +205,9 @@ Complex complete(Found found, std::size_t atom_count, unsigned threads) {
         if (seconds.empty() || seconds.back() != first_of(pair)) seconds.push_back(first_of(pair));
       }
       for (const std::uint64_t pair : pairs) seconds.push_back(second_of(pair));
-      for (const auto& edge : other_edges.of(a)) seconds.push_back(edge[1]);
+      for (const auto& edge : other_edges.of(i)) seconds.push_back(edge[1]);
       sort_few_unique(seconds);
-      edges[block].append(seconds, [&](AtomId b) { return std::array{a, b}; });
+      append(edges[block], seconds, [&](AtomId b) { return std::array{a, b}; });
     }
   });
   return {std::move(tetrahedra), joined(triangles, threads), joined(edges, threads)};
@@ -238,18 +224,18 @@ std::vector<std::array<std::uint32_t, Size>> facet_indices(const Simplices<Size>
   for_each_block(threads, simplices.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t i = begin; i < end; ++i) {
       // The facet opposite the first corner begins with another, far off.
-      if (i + 2 * ahead < end) prefetch(&facets.starts[simplices[i + 2 * ahead][1].index()]);
+      if (i + 2 * ahead < end) prefetch(&facets.first[simplices[i + 2 * ahead][1].index()]);
       if (i + ahead < end) {
-        prefetch(&facets.simplices[facets.starts[simplices[i + ahead][1].index()]]);
+        prefetch(&facets.items[facets.first[simplices[i + ahead][1].index()]]);
       }
       for (std::size_t k = 0; k < Size; ++k) {
         const auto facet = without(simplices[i], k);
         const std::uint64_t wanted = rest_of(facet);
-        std::uint32_t index = facets.starts[facet[0].index()];
-        std::uint32_t candidates = facets.starts[facet[0].index() + 1] - index;
+        std::uint32_t index = facets.first[facet[0].index()];
+        std::uint32_t candidates = facets.first[facet[0].index() + 1] - index;
         while (candidates > 1) {
           const std::uint32_t half = candidates / 2;
-          index += rest_of(facets.simplices[index + half]) <= wanted ? half : 0;
+          index += rest_of(facets.items[index + half]) <= wanted ? half : 0;
           candidates -= half;
         }
         indices[i][k] = index;
@@ -280,12 +266,11 @@ RegularTriangulation regular_triangulation(std::span<const WeightedPoint> points
   }
   if (result.dimension == 0) is_vertex[heaviest(points).index()] = true;
   Complex all = complete(std::move(found), points.size(), run.threads());
-  result.tetrahedron_triangles =
-      facet_indices(all.tetrahedra.simplices, all.triangles, run.threads());
-  result.triangle_edges = facet_indices(all.triangles.simplices, all.edges, run.threads());
-  result.tetrahedra = std::move(all.tetrahedra.simplices);
-  result.triangles = std::move(all.triangles.simplices);
-  result.edges = std::move(all.edges.simplices);
+  result.tetrahedron_triangles = facet_indices(all.tetrahedra.items, all.triangles, run.threads());
+  result.triangle_edges = facet_indices(all.triangles.items, all.edges, run.threads());
+  result.tetrahedra = std::move(all.tetrahedra.items);
+  result.triangles = std::move(all.triangles.items);
+  result.edges = std::move(all.edges.items);
   for (const auto& [a, b] : result.edges) is_vertex[a.index()] = is_vertex[b.index()] = true;
   for (std::size_t i = 0; i < points.size(); ++i) {
     (is_vertex[i] ? result.vertices : result.hidden).push_back(AtomId(i));

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "geometry/orthogonal.h"
 #include "morse/tracer.h"
@@ -14,18 +13,13 @@ using skin::CellId;
 
 IntegralLines::IntegralLines(const skin::SkinSurface& skin, const MorseFunction& f,
                              std::span<const CriticalPoint> points, double step)
-    : skin_(skin),
-      f_(f),
-      points_(points),
-      step_(step),
-      first_(skin.complex().kept_size() + 1, 0),
-      by_cell_(points.size()),
-      discs_(points.size()) {
-  for (const CriticalPoint& p : points) ++first_[p.point.cell.index() + 1];
-  std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  std::vector<std::uint32_t> filled(first_.begin(), first_.end() - 1);
+    : skin_(skin), f_(f), points_(points), step_(step), discs_(points.size()) {
+  by_cell_ = geometry::grouped<CriticalId>(skin.complex().kept_size(), [&](auto visit) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      visit(points[i].point.cell.index(), CriticalId{i});
+    }
+  });
   for (std::size_t i = 0; i < points.size(); ++i) {
-    by_cell_[filled[points[i].point.cell.index()]++] = CriticalId{i};
     if (points[i].index != 1) build_disc(CriticalId{i});
   }
 }

@@ -20,6 +20,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/grouped.h"
 #include "morse/critical_points.h"
 #include "morse/gradient_flow.h"
 
@@ -125,17 +126,15 @@ class IntegralLines {
   void build_disc(CriticalId id);
   /// The critical points in a cell.
   std::span<const CriticalId> within(skin::CellId cell) const {
-    if (cell.index() + 1 >= first_.size()) return {};  // on a wall, up to rounding
-    return {by_cell_.data() + first_[cell.index()],
-            first_[cell.index() + 1] - first_[cell.index()]};
+    if (cell.index() >= by_cell_.group_count()) return {};  // on a wall, up to rounding
+    return by_cell_.of(cell.index());
   }
 
   const skin::SkinSurface& skin_;
   MorseFunction f_;
   std::span<const CriticalPoint> points_;
   double step_;
-  std::vector<std::uint32_t> first_;  ///< by cell, into by_cell_
-  std::vector<CriticalId> by_cell_;
+  geometry::Grouped<CriticalId> by_cell_;
   std::vector<CaptureDisc> discs_;  ///< by critical point; of saddles empty
 };
 

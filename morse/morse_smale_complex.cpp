@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <numeric>
 #include <thread>
 #include <utility>
 
@@ -61,7 +60,7 @@ class Builder {
     MorseSmaleComplex empty;
     empty.points = std::move(complex_.points);
     empty.degeneracies = std::move(complex_.degeneracies);
-    empty.first_end.assign(empty.points.size() + 1, 0);
+    empty.ends.first.assign(empty.points.size() + 1, 0);
     empty.first_point.assign(1, 0);
     return empty;
   }
@@ -90,15 +89,11 @@ class Builder {
   /// Lists the arcs that end at each extremum, and sorts them where their order is stale.
   void order_arcs() {
     const std::size_t n = complex_.points.size();
-    std::vector<std::uint32_t>& first = complex_.first_end;
-    first.assign(n + 1, 0);
-    for (const Arc& arc : complex_.arcs) ++first[arc.extremum.index() + 1];
-    std::partial_sum(first.begin(), first.end(), first.begin());
-    complex_.ends.resize(complex_.arcs.size());
-    std::vector<std::uint32_t> filled(first.begin(), first.end() - 1);
-    for (std::uint32_t a = 0; a < complex_.arcs.size(); ++a) {
-      complex_.ends[filled[complex_.arcs[a].extremum.index()]++] = ArcId{a};
-    }
+    complex_.ends = geometry::grouped<ArcId>(n, [&](auto visit) {
+      for (std::uint32_t a = 0; a < complex_.arcs.size(); ++a) {
+        visit(complex_.arcs[a].extremum.index(), ArcId{a});
+      }
+    });
     constexpr std::size_t block_size = 16;    // points: about half a millisecond
     constexpr std::size_t report_every = 64;  // blocks
     const auto teller = std::this_thread::get_id();
@@ -107,7 +102,7 @@ class Builder {
         run_.report(geometry::unknown_share);
       }
       for (std::size_t i = begin; i < end; ++i) {
-        const std::span ends(complex_.ends.data() + first[i], first[i + 1] - first[i]);
+        const std::span ends = complex_.ends.of(i);
         if (std::exchange(is_stale_[i], 0) != 0) orders_[i] = order_at(ends);
         std::transform(orders_[i].ids.begin(), orders_[i].ids.end(), ends.begin(),
                        [](std::uint32_t a) { return ArcId{a}; });

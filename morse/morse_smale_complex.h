@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/grouped.h"
 #include "geometry/run.h"
 #include "morse/critical_points.h"
 
@@ -32,12 +33,8 @@ struct MorseSmaleComplex {
   /// Connected components of the skin.
   std::size_t components = 0;
   /// By point, the arcs that end at an extremum, counter-clockwise about it seen from outside.
-  std::span<const ArcId> arcs_at(CriticalId extremum) const {
-    return {ends.data() + first_end[extremum.index()],
-            first_end[extremum.index() + 1] - first_end[extremum.index()]};
-  }
-  std::vector<ArcId> ends;
-  std::vector<std::uint32_t> first_end;  ///< by point, into ends
+  std::span<const ArcId> arcs_at(CriticalId extremum) const { return ends.of(extremum.index()); }
+  geometry::Grouped<ArcId> ends;
   /// Lines that come within the merge distance of one of their kind and follow it from there.
   std::size_t merged_lines = 0;
   /// Why this may not be the complex, or nothing: degeneracies of the critical points, and lines

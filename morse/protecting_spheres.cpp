@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "geometry/kd_tree.h"
 
@@ -11,20 +10,17 @@ namespace morskin::morse {
 ProtectingSpheres::ProtectingSpheres(std::span<const CriticalPoint> points,
                                      std::vector<double> radii, std::vector<Incidence> incidences,
                                      std::size_t cells)
-    : radius_(std::move(radii)), first_(cells + 1, 0) {
+    : radius_(std::move(radii)) {
   for (const CriticalPoint& p : points) centres_.push_back(p.point.position);
   std::sort(incidences.begin(), incidences.end());
-  for (const auto& [cell, id] : incidences) {
-    ++first_[cell.index() + 1];
-    spheres_.push_back(id);
-  }
-  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  spheres_ = geometry::grouped<CriticalId>(cells, [&](auto visit) {
+    for (const auto& [cell, id] : incidences) visit(cell.index(), id);
+  });
 }
 
 std::optional<CriticalId> ProtectingSpheres::containing(const surface::SurfacePoint& p) const {
-  if (p.cell.index() + 1 >= first_.size()) return std::nullopt;  // on a wall, up to rounding
-  for (std::uint32_t i = first_[p.cell.index()]; i < first_[p.cell.index() + 1]; ++i) {
-    const CriticalId id = spheres_[i];
+  if (p.cell.index() >= spheres_.group_count()) return std::nullopt;  // on a wall, up to rounding
+  for (const CriticalId id : spheres_.of(p.cell.index())) {
     const double r = radius_[id.index()];
     if ((centres_[id.index()] - p.position).squaredNorm() < r * r) return id;
   }

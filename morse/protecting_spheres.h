@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/grouped.h"
 #include "morse/critical_point.h"
 
 namespace morskin::morse {
@@ -32,8 +33,7 @@ class ProtectingSpheres {
  private:
   std::vector<Point> centres_;
   std::vector<double> radius_;
-  std::vector<std::uint32_t> first_;  ///< by cell, into spheres_
-  std::vector<CriticalId> spheres_;
+  geometry::Grouped<CriticalId> spheres_;  ///< by cell
 };
 
 /// By point, the radius of a sphere, Angstrom, such that no two overlap.

@@ -135,16 +135,15 @@ MorseSmaleComplex Quadrangles::remaining() const {
     std::optional<ArcId>& one = first[heir(complex_.arcs[arc.index()].extremum).index()];
     if (!one) one = arc;
   }
-  left.first_end.push_back(0);
   for (const std::optional<ArcId>& one : first) {
     if (one) {
       ArcId arc = *one;
       do {
-        left.ends.push_back(ArcId{index[arc.index()]});
+        left.ends.items.push_back(ArcId{index[arc.index()]});
         arc = next_about_extremum(arc);
       } while (arc != *one);
     }
-    left.first_end.push_back(static_cast<std::uint32_t>(left.ends.size()));
+    left.ends.first.push_back(static_cast<std::uint32_t>(left.ends.items.size()));
   }
   return left;
 }

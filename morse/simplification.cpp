@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 
+#include "geometry/grouped.h"
 #include "morse/overlaps.h"
 #include "morse/quadrangles.h"
 
@@ -18,23 +19,19 @@ class HeirPaths {
   HeirPaths(const MorseSmaleComplex& complex, const std::vector<bool>& survives,
             std::span<const Cancellation> cancelled)
       : complex_(complex), next_(complex.points.size()) {
-    std::vector<std::uint32_t> first(complex.points.size() + 1, 0);
-    std::vector<ArcId> leaving = arcs_of_cancelled(cancelled);
-    for (const ArcId arc : leaving) ++first[complex.arcs[arc.index()].extremum.index() + 1];
-    for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
-    std::vector<ArcId> at(leaving.size());  // by extremum, the arcs that lead to it
-    std::vector<std::uint32_t> filled(first.begin(), first.end() - 1);
-    for (const ArcId arc : leaving) {
-      at[filled[complex.arcs[arc.index()].extremum.index()]++] = arc;
-    }
+    const std::vector<ArcId> leaving = arcs_of_cancelled(cancelled);
+    const auto arriving = geometry::grouped<ArcId>(complex.points.size(), [&](auto visit) {
+      for (const ArcId arc : leaving) visit(complex.arcs[arc.index()].extremum.index(), arc);
+    });
     std::vector<CriticalId> reached;
     for (std::size_t i = 0; i < complex.points.size(); ++i) {
       if (survives[i] && complex.points[i].index != 1) reached.push_back(CriticalId{i});
     }
     for (std::size_t i = 0; i < reached.size(); ++i) {
-      for (std::size_t k = first[reached[i].index()]; k < first[reached[i].index() + 1]; ++k) {
-        const ArcId away = opposite(at[k]);
-        if (next_[reached[i].index()] == at[k]) continue;  // where it was reached from
+      const CriticalId here = reached[i];
+      for (const ArcId arc : arriving.of(here.index())) {
+        const ArcId away = opposite(arc);
+        if (next_[here.index()] == arc) continue;  // where it was reached from
         const CriticalId beyond = complex.arcs[away.index()].extremum;
         next_[beyond.index()] = away;
         reached.push_back(beyond);

@@ -45,9 +45,9 @@ Complaint check_arcs(const MorseSmaleComplex& complex, const std::vector<bool>& 
 
 /// Each arc is listed once, at its extremum.
 Complaint check_orders(const MorseSmaleComplex& complex) {
-  if (complex.first_end.size() != complex.points.size() + 1 ||
-      complex.first_end.back() != complex.arcs.size() ||
-      complex.ends.size() != complex.arcs.size()) {
+  if (complex.ends.group_count() != complex.points.size() ||
+      complex.ends.first.back() != complex.arcs.size() ||
+      complex.ends.items.size() != complex.arcs.size()) {
     return "the arcs are not all in order about their extrema";
   }
   std::vector<bool> stands(complex.arcs.size(), false);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <type_traits>
 
 namespace morskin::skin {
@@ -13,19 +12,14 @@ using geometry::WeightedPoint;
 LeastPower::LeastPower(std::span<const WeightedPoint> points,
                        std::span<const std::array<AtomId, 2>> edges)
     : points_(points.begin(), points.end()),
-      first_(points.size() + 2, 0),
-      neighbours_(2 * edges.size()),
-      tree_(points) {
-  for (const auto& edge : edges) {
-    for (const AtomId a : edge) ++first_[a.index() + 2];
-  }
-  std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  for (const auto& [a, b] : edges) {
-    neighbours_[first_[a.index() + 1]++] = b;
-    neighbours_[first_[b.index() + 1]++] = a;
-  }
-  first_.pop_back();
-}
+      neighbours_(geometry::grouped<AtomId>(points.size(),
+                                            [&](auto visit) {
+                                              for (const auto& [a, b] : edges) {
+                                                visit(a.index(), b);
+                                                visit(b.index(), a);
+                                              }
+                                            })),
+      tree_(points) {}
 
 AtomId LeastPower::nearest(const geometry::Point& x, AtomId start) const {
   const auto rank = [&](AtomId a) {

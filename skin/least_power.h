@@ -13,6 +13,9 @@
 #include <span>
 #include <vector>
 
+#include "geometry/grouped.h"
+#include "geometry/id.h"
+#include "geometry/point.h"
 #include "skin/power_tree.h"
 
 namespace morskin::skin {
@@ -37,13 +40,11 @@ class LeastPower {
   std::optional<PowerTree::Least<Real>> among(const Vector3<Real>& q,
                                               std::span<const geometry::AtomId> tried) const;
   std::span<const geometry::AtomId> neighbours(geometry::AtomId atom) const {
-    return {neighbours_.data() + first_[atom.index()],
-            first_[atom.index() + 1] - first_[atom.index()]};
+    return neighbours_.of(atom.index());
   }
 
   std::vector<geometry::WeightedPoint> points_;
-  std::vector<std::uint32_t> first_;  ///< by atom, into neighbours_
-  std::vector<geometry::AtomId> neighbours_;
+  geometry::Grouped<geometry::AtomId> neighbours_;  ///< by atom
   PowerTree tree_;
 };
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "geometry/error.h"
@@ -44,16 +43,11 @@ MixedComplex::MixedComplex(std::vector<WeightedPoint> points, RegularTriangulati
 /// For each vertex the edges at it.
 void MixedComplex::list_edges() {
   const auto& edges = triangulation_.edges;
-  first_edge_.assign(triangulation_.vertices.size() + 2, 0);
-  for (const auto& edge : edges) {
-    for (const AtomId a : edge) ++first_edge_[vertex_of(a) + 2];
-  }
-  std::partial_sum(first_edge_.begin(), first_edge_.end(), first_edge_.begin());
-  edges_at_.resize(2 * edges.size());
-  for (std::uint32_t e = 0; e < edges.size(); ++e) {
-    for (const AtomId a : edges[e]) edges_at_[first_edge_[vertex_of(a) + 1]++] = e;
-  }
-  first_edge_.pop_back();
+  edges_at_ = geometry::grouped<std::uint32_t>(triangulation_.vertices.size(), [&](auto visit) {
+    for (std::uint32_t e = 0; e < edges.size(); ++e) {
+      for (const AtomId a : edges[e]) visit(vertex_of(a), e);
+    }
+  });
 }
 
 void MixedComplex::forget_facets() {
@@ -136,16 +130,13 @@ void MixedComplex::add_walls_to_facets(std::size_t index, std::vector<Wall>& wal
 template <std::size_t N>
 std::vector<std::uint32_t> MixedComplex::cofaces(const std::array<AtomId, N>& simplex) const {
   std::vector<std::uint32_t> result;
-  const auto edges_at = [this](AtomId a) {
-    return first_edge_[vertex_of(a) + 1] - first_edge_[vertex_of(a)];
-  };
-  const AtomId corner = *std::ranges::min_element(simplex, {}, edges_at);
-  const std::uint32_t v = vertex_of(corner);
-  for (std::uint32_t i = first_edge_[v]; i < first_edge_[v + 1]; ++i) {
+  const auto edge_count = [this](AtomId a) { return edges_at_.of(vertex_of(a)).size(); };
+  const AtomId corner = *std::ranges::min_element(simplex, {}, edge_count);
+  for (const std::uint32_t edge : edges_at_.of(vertex_of(corner))) {
     if constexpr (N == 1) {
-      result.push_back(edges_at_[i]);
+      result.push_back(edge);
     } else {
-      const auto& [a, b] = triangulation_.edges[edges_at_[i]];
+      const auto& [a, b] = triangulation_.edges[edge];
       const AtomId apex = a == corner ? b : a;
       std::array<AtomId, N + 1> coface;
       std::copy_n(simplex.begin(), N, coface.begin());

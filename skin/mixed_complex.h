@@ -19,6 +19,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/grouped.h"
 #include "geometry/id.h"
 #include "geometry/point.h"
 #include "geometry/regular_triangulation.h"
@@ -177,8 +178,7 @@ class MixedComplex {
   std::vector<Patch> patches_;             ///< by kept cell
   std::vector<std::uint32_t> first_wall_;  ///< by kept cell, into walls_
   geometry::UnfilledVector<Wall> walls_;
-  std::vector<std::uint32_t> first_edge_;  ///< by vertex, into edges_at_
-  std::vector<std::uint32_t> edges_at_;    ///< indices of edges, ascending by vertex
+  geometry::Grouped<std::uint32_t> edges_at_;  ///< indices of edges, ascending, by vertex
   double wall_tolerance_ = 0;
 };
 

@@ -54,9 +54,9 @@ TEST_CASE("a damaged complex breaks a law") {
     check_broken([](auto& bad) { bad.arcs.resize(bad.arcs.size() - 4); });
     check_broken([](auto& bad) { bad.points[bad.arcs[0].saddle.index()].value = -infinite; });
     for (std::size_t i = 0; i < good.points.size(); ++i) {
-      const std::size_t first = good.first_end[i];
-      if (good.first_end[i + 1] - first < 3) continue;
-      check_broken([&](auto& bad) { std::swap(bad.ends[first], bad.ends[first + 1]); });
+      const std::size_t first = good.ends.first[i];
+      if (good.ends.of(i).size() < 3) continue;
+      check_broken([&](auto& bad) { std::swap(bad.ends.items[first], bad.ends.items[first + 1]); });
       break;
     }
     // An arc that ends at another minimum than it should.

@@ -184,12 +184,11 @@ TEST_CASE("overlapping spheres are those that a search of all pairs finds, whate
 TEST_CASE("a sphere without saddles, and nothing at all, have nothing to cancel") {
   MorseSmaleComplex complex;
   complex.first_point = {0};
-  complex.first_end = {0};
   CHECK(validate(complex).value_or("") == "");
   CHECK(contract_short_arcs(complex, 0.2).cancelled.empty());
   complex.components = 1;
   complex.points.resize(2);
-  complex.first_end = {0, 0, 0};
+  complex.ends.first = {0, 0, 0};
   complex.points[1].index = 2;
   complex.points[1].value = 1;
   complex.points[1].point.position.y() = 1;

@@ -193,11 +193,11 @@ inline morse::MorseSmaleComplex complex_of(const EmbeddedGraph& graph, Random& r
         maximum(d), d, [&](auto k) { return graph.along_face(k); },
         [](auto k) { return morse::ArcId{2 * k + (k % 2 == 0 ? 3 : 0U - 1)}; });
   }
-  complex.first_end.push_back(0);
-  for (const std::vector<morse::ArcId>& circle : about) {
-    complex.ends.insert(complex.ends.end(), circle.begin(), circle.end());
-    complex.first_end.push_back(static_cast<std::uint32_t>(complex.ends.size()));
-  }
+  complex.ends = geometry::grouped<morse::ArcId>(count, [&](auto visit) {
+    for (std::size_t i = 0; i < count; ++i) {
+      for (const morse::ArcId arc : about[i]) visit(i, arc);
+    }
+  });
   std::vector<std::uint32_t> parent(n);
   std::iota(parent.begin(), parent.end(), 0U);
   const auto root = [&](std::uint32_t d) {
@@ -227,7 +227,7 @@ inline morse::MorseSmaleComplex upside_down(morse::MorseSmaleComplex complex) {
     complex.line_points.insert(complex.line_points.end(), line.begin(), line.end());
     complex.first_point[i + 1] = static_cast<std::uint32_t>(complex.line_points.size());
   }
-  for (morse::ArcId& arc : complex.ends)
+  for (morse::ArcId& arc : complex.ends.items)
     arc = morse::ArcId{arc.value - arc.value % 4 + (arc.value + 3) % 4};
   for (auto& region : complex.regions) {
     const auto [minimum, first, maximum, second] = region;
