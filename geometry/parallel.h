@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
-#include <future>
-#include <system_error>
-#include <vector>
+#include <exception>
+#include <functional>
 
 #include "geometry/task_trace.h"
+#include "geometry/thread_pool.h"
 
 namespace morskin::geometry {
 
@@ -34,6 +34,8 @@ inline std::size_t block_count(std::size_t count, std::size_t size = usual_block
 template <class Task>
 void for_each_task(unsigned threads, std::size_t count, Task task) {
   std::atomic<std::size_t> next{0};
+  std::atomic<bool> has_failed{false};
+  std::exception_ptr failure;
   const auto take = [&] {
     try {
       for (std::size_t i = next++; i < count; i = next++) {
@@ -42,20 +44,13 @@ void for_each_task(unsigned threads, std::size_t count, Task task) {
       }
     } catch (...) {
       next = count;
-      throw;
+      if (!has_failed.exchange(true)) failure = std::current_exception();
     }
   };
   const Traced loop(TaskTrace::Kind::Loop);
-  std::vector<std::future<void>> others;
-  try {
-    while (others.size() + 1 < std::min<std::size_t>(threads, count)) {
-      others.push_back(std::async(std::launch::async, take));
-    }
-  } catch (const std::system_error&) {
-    // The system gives no more threads: those that there are do it all.
-  }
-  take();
-  for (std::future<void>& other : others) other.get();
+  const std::size_t taking = std::min<std::size_t>(threads, count);
+  taking > 1 ? thread_pool().work_together(taking - 1, std::ref(take)) : take();
+  if (failure) std::rethrow_exception(failure);
 }
 
 /// Runs both, at the same time if `threads` > 1. Throws what either throws.

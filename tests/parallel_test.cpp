@@ -1,14 +1,14 @@
 #include "geometry/parallel.h"
 
-#include <pthread.h>
-
 #include <atomic>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <thread>
 
 #include "geometry/unfilled.h"
+#include "tests/support/no_more_threads.h"
 #include "tests/support/test.h"
 
 using namespace morskin;
@@ -17,25 +17,6 @@ using namespace morskin::geometry;
 namespace {
 
 void work_a_while() { std::this_thread::sleep_for(std::chrono::milliseconds(5)); }
-
-#ifdef __GLIBC__
-/// While it lives the system starts no thread: none has room for its stack.
-class NoMoreThreads {
- public:
-  NoMoreThreads() {
-    ::pthread_getattr_default_np(&usual_);
-    pthread_attr_t attributes = usual_;
-    ::pthread_attr_setstacksize(&attributes, std::size_t{1} << 60);
-    ::pthread_setattr_default_np(&attributes);
-  }
-  NoMoreThreads(const NoMoreThreads&) = delete;
-  NoMoreThreads& operator=(const NoMoreThreads&) = delete;
-  ~NoMoreThreads() { ::pthread_setattr_default_np(&usual_); }
-
- private:
-  pthread_attr_t usual_{};
-};
-#endif
 
 }  // namespace
 
@@ -132,35 +113,26 @@ TEST_CASE("an exception of either of two works comes out when what was begun has
 }
 
 #ifdef __GLIBC__
-TEST_CASE("where the system starts no thread the calling one does all tasks, once each, in order") {
-  const NoMoreThreads no_more;
-  CHECK_THROWS_AS(std::thread([] {}).join(), std::system_error);
-  const auto caller = std::this_thread::get_id();
-  for (const unsigned threads : {2U, 5U, 100U}) {
-    for (const std::size_t count : {std::size_t{2}, std::size_t{1000}}) {
-      CAPTURE(threads);
-      CAPTURE(count);
-      std::vector<std::size_t> done;
-      for_each_task(threads, count, [&](std::size_t i) {
-        CHECK(std::this_thread::get_id() == caller);
-        done.push_back(i);
-      });
-      REQUIRE(done.size() == count);
-      for (std::size_t i = 0; i < count; ++i) CHECK(done[i] == i);
-    }
-    int first = 0, second = 0;
-    do_both(
-        threads, [&] { ++first; }, [&] { ++second; });
-    CHECK(first == 1);
-    CHECK(second == 1);
-    CHECK_THROWS_AS(for_each_task(threads, 9, [](std::size_t) { throw std::logic_error("no"); }),
-                    std::logic_error);  // the task's, and not the missing thread's
+TEST_CASE("where the system starts no more threads those that there are do all tasks, once each") {
+  const support::NoMoreThreads no_more;
+  for (const std::size_t count : {std::size_t{2}, std::size_t{1000}}) {
+    CAPTURE(count);
+    std::vector<std::atomic<int>> visits(count);
+    for_each_task(100, count, [&](std::size_t i) { ++visits[i]; });
+    CHECK(std::ranges::all_of(visits, [](int n) { return n == 1; }));
   }
+  int first = 0, second = 0;
+  do_both(
+      100, [&] { ++first; }, [&] { ++second; });
+  CHECK(first == 1);
+  CHECK(second == 1);
+  CHECK_THROWS_AS(for_each_task(100, 200, [](std::size_t) { throw std::logic_error("no"); }),
+                  std::logic_error);  // the task's, and not the missing thread's
 }
 
 TEST_CASE("where the system starts some threads and then no more, those do all tasks, once each") {
   support::for_seeds(20, [](unsigned seed) {
-    std::optional<NoMoreThreads> no_more;
+    std::optional<support::NoMoreThreads> no_more;
     std::vector<std::atomic<int>> visits(2000);
     for_each_task(200, visits.size(), [&](std::size_t i) {
       if (i == seed) no_more.emplace();  // while the caller still starts others
