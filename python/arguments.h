@@ -42,10 +42,11 @@ template <class T>
 T argument(const py::object& value, const std::string& name) {
   constexpr bool may_be_none = std::is_convertible_v<std::nullopt_t, T>;
   py::detail::make_caster<T> caster;
-  // pybind11 would take None for False.
-  const bool is_right =
-      (may_be_none || !value.is_none()) && caster.load(value, may_be_converted<T>);
-  if (is_right) return py::detail::cast_op<T>(std::move(caster));
+  // pybind11 would take None for False, and bytes for a string.
+  const bool is_allowed = (may_be_none || !value.is_none()) && !py::isinstance<py::bytes>(value) &&
+                          !py::isinstance<py::bytearray>(value);
+  if (is_allowed && caster.load(value, may_be_converted<T>))
+    return py::detail::cast_op<T>(std::move(caster));
   const auto words = py::module_::import("reprlib").attr("repr")(value).attr("split")();
   const auto line = py::str(" ").attr("join")(words).template cast<std::string>();
   throw py::type_error(name + " must be " + kind_of<T> + (may_be_none ? " or None" : "") +

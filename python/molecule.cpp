@@ -21,13 +21,13 @@ namespace morskin::python {
 namespace {
 
 ReadOptions read_options(std::vector<std::string> chains, const py::object& waters,
-                         std::optional<std::vector<std::string>> hetatms, const py::object& altloc,
+                         std::optional<std::vector<std::string>> hetatms, std::string altloc,
                          const py::object& hydrogens, const py::object& model_number,
                          std::optional<std::string> assembly, std::optional<std::string> radii) {
   return {.chains = std::move(chains),
           .waters = argument<bool>(waters, "waters"),
           .hetatms = std::move(hetatms),
-          .locations = argument<std::string>(altloc, "altloc"),
+          .locations = std::move(altloc),
           .hydrogens = argument<bool>(hydrogens, "hydrogens"),
           .model = argument<std::optional<std::int64_t>>(model_number, "model_number"),
           .assembly = std::move(assembly),

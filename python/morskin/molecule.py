@@ -101,11 +101,13 @@ def _read_options(*, chains: Sequence[str] = (), waters: bool = False,
                   hydrogens: bool = True, model_number: int | None = None,
                   biological_assembly: str | int | None = None,
                   radii: Radii = None) -> ReadOptions:
+    if not isinstance(altloc, str):
+        raise TypeError("altloc must be a string, not " + reprlib.repr(altloc))
     assembly = None if biological_assembly is None else os.fsencode(str(biological_assembly))
     return ReadOptions(
         chains=_names(chains, "chains"), waters=waters,
         hetatms=None if hetatms is None else _names(hetatms, "hetatms"),
-        altloc=os.fsencode(altloc) if isinstance(altloc, str) else altloc, hydrogens=hydrogens,
+        altloc=os.fsencode(altloc), hydrogens=hydrogens,
         model_number=model_number, biological_assembly=assembly, radii=_radii_text(radii))
 
 

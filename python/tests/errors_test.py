@@ -104,7 +104,8 @@ class Errors(ModuleTest):
                  "a string or None": (skin.mesh, "method"),
                  "True or False": (lambda **of: morskin.read(file, **of), "hydrogens waters"),
                  "a whole number of at most 64 bits or None": (skin.mesh, "fronts")}
-        bad = {"a string": [1, None], "a string or None": [1], "True or False": [None, "no"]}
+        bad = {"a string": [1, None, b"sas"], "a string or None": [1, b"\xe9"],
+               "True or False": [None, "no"]}
         for kind, (call, names) in calls.items():
             for name in names.split():
                 for value in bad.get(kind, ["1", [1], 1j]):

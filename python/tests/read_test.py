@@ -92,6 +92,8 @@ class Reading(ModuleTest):
         file.write_bytes(b"".join(b"ATOM      1  CA %cALA A   1    %8.3f   0.000   0.000  0.50"
                                   b"  0.00           C\n" % place for place in ((66, 1), (233, 2))))
         self.assertEqual(morskin.read(file, altloc="\udce9").positions[:, 0].tolist(), [2])
+        with self.assertRaisesRegex(TypeError, r"^altloc must be a string, not b'\\xe9'$"):
+            morskin.read(file, altloc=b"\xe9")
         with self.assertRaisesRegex(morskin.RefusedInput, "tells of no biological assembly"):
             morskin.read(file, biological_assembly="\udce9")
 
