@@ -36,7 +36,15 @@ class NotCertified(Error):
     mesh: Mesh
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), self.args
+        return type(self), self.args, {k: v for k, v in vars(self).items() if k != "mesh"}
+
+    def __copy__(self) -> NotCertified:
+        copied = type(self)(*self.args)
+        copied.__dict__.update(vars(self))
+        return copied
+
+    def __deepcopy__(self, _: dict[int, Any]) -> NotCertified:
+        return self.__copy__()  # meshes never change
 
 
 class LimitReached(Error, MemoryError):

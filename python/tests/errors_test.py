@@ -4,6 +4,7 @@ Usage: errors_test.py folder-of-the-package"""
 
 from support import BALLS, MOLECULES, ROOT, ModuleTest, main
 
+import copy
 import math
 import os
 import pickle
@@ -182,10 +183,13 @@ class Errors(ModuleTest):
     def test_what_is_not_certified_can_be_told_to_another_process_without_its_mesh(self):
         with self.assertRaises(morskin.NotCertified) as caught:
             morskin.Skin(*BALLS).mesh(C=0.9, Q=1.9, angle_goal_deg=0)
+        caught.exception.file = "a.pdb"
         told = pickle.loads(pickle.dumps(caught.exception))
         self.assertIs(type(told), morskin.NotCertified)
         self.assertEqual(str(told), str(caught.exception))
-        self.assertFalse(hasattr(told, "mesh"))
+        self.assertEqual(vars(told), {"file": "a.pdb"})
+        for copied in (copy.copy(caught.exception), copy.deepcopy(caught.exception)):
+            self.assertEqual((str(copied), vars(copied)), (str(told), vars(caught.exception)))
 
     def test_values_of_a_wrong_type_are_type_errors(self):
         skin = morskin.Skin(*BALLS)
