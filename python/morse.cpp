@@ -1,3 +1,8 @@
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
 #include "python/arrays.h"
 #include "python/bindings.h"
 
@@ -6,6 +11,15 @@ namespace morskin::python {
 namespace {
 
 using Points = std::vector<CriticalPoint>;
+
+/// How many there are of each index.
+std::string in_words(const Points& points) {
+  std::array<std::size_t, 3> counts{};
+  for (const CriticalPoint& p : points) ++counts.at(static_cast<std::size_t>(p.index));
+  const auto& [minima, saddles, maxima] = counts;
+  return "minima " + std::to_string(minima) + ", saddles " + std::to_string(saddles) + ", maxima " +
+         std::to_string(maxima);
+}
 
 /// A property that is a view of a field of all points.
 template <class Field>
@@ -31,7 +45,9 @@ void bind_morse(py::module_& module) {
                              "(k,) int32: 0 minimum, 1 saddle, 2 maximum")
       .def_property_readonly("values", column(&CriticalPoint::value),
                              "(k,) float64: of the height, Angstrom")
-      .def("__len__", [](const Points& self) { return self.size(); });
+      .def("__len__", [](const Points& self) { return self.size(); })
+      .def("__repr__",
+           [](const Points& self) { return "<morskin.CriticalPoints: " + in_words(self) + ">"; });
   py::class_<MorseSmaleComplex>(module, "MorseSmaleComplex",
                                 "The Morse-Smale complex of a height on a skin.")
       .def_readonly("points", &MorseSmaleComplex::points, "CriticalPoints: its k nodes")
@@ -47,7 +63,12 @@ void bind_morse(py::module_& module) {
                              "1]]")
       .def_property_readonly("regions", rows(&MorseSmaleComplex::regions),
                              "(r, 4) uint32: minimum, saddle, maximum, saddle of each, "
-                             "counter-clockwise seen from outside");
+                             "counter-clockwise seen from outside")
+      .def("__repr__", [](const MorseSmaleComplex& self) {
+        return "<morskin.MorseSmaleComplex: " + in_words(self.points) + ", arcs " +
+               std::to_string(self.arcs.size()) + ", regions " +
+               std::to_string(self.regions.size()) + ">";
+      });
 }
 
 }  // namespace morskin::python

@@ -98,6 +98,16 @@ class Morse(ModuleTest):
         with self.assertRaises(ValueError):
             lines[:] = 0
 
+    def test_points_and_complexes_say_how_much_they_hold(self):
+        skin = morskin.read(MOLECULES / "ring12.xyzr").skin()
+        self.assertRegex(repr(skin.critical_points()),
+                         r"^<morskin\.CriticalPoints: minima \d+, saddles \d+, maxima \d+>$")
+        found = skin.morse_smale([0.3, 0.9, 0.2])
+        minima, saddles, maxima = np.bincount(found.points.indices, minlength=3)
+        self.assertEqual(repr(found),
+                         f"<morskin.MorseSmaleComplex: minima {minima}, saddles {saddles}, maxima "
+                         f"{maxima}, arcs {len(found.arcs)}, regions {len(found.regions)}>")
+
     def test_what_the_progress_function_raises_ends_the_tracing(self):
         class Enough(Exception):
             pass
