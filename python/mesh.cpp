@@ -9,6 +9,7 @@
 #include "python/arguments.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
+#include "python/definitions.h"
 #include "python/interruptible.h"
 
 namespace morskin::python {
@@ -149,25 +150,24 @@ void bind_mesh(py::module_& module) {
       .def_property_readonly("sizing", sizing_of,
                              "dict: C, Q and max_length_scale that it was made with, as check() "
                              "takes them")
-      .def("save", save, py::arg("file"), py::kw_only(),
-           py::arg("vertex_data") = std::vector<std::string>(),
-           "save(file, *, vertex_data=()) -> pathlib.Path\n\n"
-           "Writes PLY, OFF, OBJ, STL, VTU, GLB, NPZ or MSH, as the file's ending says, whole or "
-           "not at all. Returns\nthe file's name: a mesh that is not certified gets the ending "
-           ".unverified.\n\n"
-           "vertex_data  what PLY, VTU, GLB, NPZ and MSH hold beside the mesh: \"all\", or some of "
-           "\"normal\",\n             \"curvature\", \"directions\", \"scale\", \"atom\", "
-           "\"shares\", \"component\", \"patch\"\n\n"
-           "Raises UnwritableOutput; RefusedInput for other names, or a format that holds none.")
-      .def(
-          "to_meshio", exporter("to_meshio"),
-          "to_meshio() -> meshio.Mesh\n\nTriangles, with normals, length_scales, curvatures, atoms "
-          "and components as point_data.\nFor Gmsh save() a file .msh. meshio writes Gmsh's files "
-          "under the format \"gmsh\" only, and without\ncurvatures, since they are pairs; by the "
-          "ending .msh it writes Fluent's.")
-      .def("to_vtk", exporter("to_vtk"),
-           "to_vtk() -> vtkPolyData\n\nThe same as a vtkPolyData; the normals are the active ones.")
       .def("__repr__", [](const Mesh& self) { return in_words(self); });
+  define(mesh, "save", save, py::arg("file"), py::kw_only(),
+         py::arg("vertex_data") = std::vector<std::string>(),
+         "save(file, *, vertex_data=()) -> pathlib.Path\n\n"
+         "Writes PLY, OFF, OBJ, STL, VTU, GLB, NPZ or MSH, as the file's ending says, whole or "
+         "not at all. Returns\nthe file's name: a mesh that is not certified gets the ending "
+         ".unverified.\n\n"
+         "vertex_data  what PLY, VTU, GLB, NPZ and MSH hold beside the mesh: \"all\", or some of "
+         "\"normal\",\n             \"curvature\", \"directions\", \"scale\", \"atom\", "
+         "\"shares\", \"component\", \"patch\"\n\n"
+         "Raises UnwritableOutput; RefusedInput for other names, or a format that holds none.");
+  define(mesh, "to_meshio", exporter("to_meshio"),
+         "to_meshio() -> meshio.Mesh\n\nTriangles, with normals, length_scales, curvatures, atoms "
+         "and components as point_data.\nFor Gmsh save() a file .msh. meshio writes Gmsh's files "
+         "under the format \"gmsh\" only, and without\ncurvatures, since they are pairs; by the "
+         "ending .msh it writes Fluent's.");
+  define(mesh, "to_vtk", exporter("to_vtk"),
+         "to_vtk() -> vtkPolyData\n\nThe same as a vtkPolyData; the normals are the active ones.");
 }
 
 }  // namespace morskin::python

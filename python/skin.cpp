@@ -13,6 +13,7 @@
 #include "python/arguments.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
+#include "python/definitions.h"
 #include "python/interruptible.h"
 
 namespace morskin::python {
@@ -154,23 +155,23 @@ Raises NotCertified, with the mesh; RefusedInput, a ValueError, for values that 
 void bind_functions(py::module_& module) {
   using py::arg;
   const py::none none;
-  module.def("check", &check, arg("vertices"), arg("faces"), arg("skin"), py::kw_only(),
-             arg("C") = MeshOptions().C, arg("Q") = none, arg("max_length_scale") = infinity,
-             arg("threads") = none, arg("progress") = none,
-             "check(vertices, faces, skin, *, C=0.08, Q=None, max_length_scale=inf) -> "
-             "Certificate\n\nChecks any mesh against a skin. A bad mesh is no error: the "
-             "certificate says what is wrong.\n\n"
-             "vertices  (n, 3): Angstrom\n"
-             "faces     (m, 3): whole numbers, counter-clockwise seen from outside\n"
-             "C, Q and max_length_scale are what the mesh was made with: **mesh.sizing for one of "
-             "this library.\nthreads and progress are as of Skin.mesh.\n\n"
-             "Raises RefusedInput for sizes that make no sense.");
-  module.def("read_mesh", &read_mesh, arg("file"),
-             "read_mesh(file) -> vertices (n, 3) float64, Angstrom; faces (m, 3) uint32\n\n"
-             "A mesh in a file: PLY, OFF, OBJ, STL, MSMS, VTU or MSH, gzipped or not.\n\n"
-             "Raises UnreadableInput.");
-  module.def(
-      "van_der_waals_radius",
+  define(module, "check", &check, arg("vertices"), arg("faces"), arg("skin"), py::kw_only(),
+         arg("C") = MeshOptions().C, arg("Q") = none, arg("max_length_scale") = infinity,
+         arg("threads") = none, arg("progress") = none,
+         "check(vertices, faces, skin, *, C=0.08, Q=None, max_length_scale=inf) -> "
+         "Certificate\n\nChecks any mesh against a skin. A bad mesh is no error: the "
+         "certificate says what is wrong.\n\n"
+         "vertices  (n, 3): Angstrom\n"
+         "faces     (m, 3): whole numbers, counter-clockwise seen from outside\n"
+         "C, Q and max_length_scale are what the mesh was made with: **mesh.sizing for one of "
+         "this library.\nthreads and progress are as of Skin.mesh.\n\n"
+         "Raises RefusedInput for sizes that make no sense.");
+  define(module, "read_mesh", &read_mesh, arg("file"),
+         "read_mesh(file) -> vertices (n, 3) float64, Angstrom; faces (m, 3) uint32\n\n"
+         "A mesh in a file: PLY, OFF, OBJ, STL, MSMS, VTU or MSH, gzipped or not.\n\n"
+         "Raises UnreadableInput.");
+  define(
+      module, "van_der_waals_radius",
       [](const py::object& element) {
         return van_der_waals_radius(argument<std::string>(element, "element"));
       },
@@ -193,44 +194,45 @@ Model model_of(const py::object& model) {
 void bind_skin(py::module_& module) {
   using py::arg;
   const py::none none;
-  py::class_<Skin>(module, "Skin",
-                   "Skin(positions, radii, model=\"vdw\", *, probe=1.4, drop_voids_below=0)\n\n"
-                   "A skin surface, prepared once; it may be used from several threads.\n\n"
-                   "positions         (n, 3): of the atoms, Angstrom\n"
-                   "radii             (n,): van der Waals, Angstrom\n"
-                   "model             radius of an atom's sphere: \"vdw\" r, \"sas\" r + probe, "
-                   "\"ses-like\" r + 0.25, or \"paper\"\n"
-                   "probe             Angstrom\n"
-                   "drop_voids_below  voids of a volume proved to be below this, Angstrom^3, are "
-                   "left out\n"
-                   "threads, progress as of mesh()\n\n"
-                   "Raises RefusedInput, with `atoms` where it is about some.")
-      .def(py::init(&make_skin), arg("positions"), arg("radii"), arg("model") = "vdw",
-           py::kw_only(), arg("probe") = 1.4, arg("drop_voids_below") = 0.0, arg("threads") = none,
-           arg("progress") = none)
-      .def_property_readonly("components", &Skin::components,
+  py::class_<Skin> skin(
+      module, "Skin",
+      "Skin(positions, radii, model=\"vdw\", *, probe=1.4, drop_voids_below=0)\n\n"
+      "A skin surface, prepared once; it may be used from several threads.\n\n"
+      "positions         (n, 3): of the atoms, Angstrom\n"
+      "radii             (n,): van der Waals, Angstrom\n"
+      "model             radius of an atom's sphere: \"vdw\" r, \"sas\" r + probe, "
+      "\"ses-like\" r + 0.25, or \"paper\"\n"
+      "probe             Angstrom\n"
+      "drop_voids_below  voids of a volume proved to be below this, Angstrom^3, are "
+      "left out\n"
+      "threads, progress as of mesh()\n\n"
+      "Raises RefusedInput, with `atoms` where it is about some.");
+  define_init(skin, &make_skin, arg("positions"), arg("radii"), arg("model") = "vdw", py::kw_only(),
+              arg("probe") = 1.4, arg("drop_voids_below") = 0.0, arg("threads") = none,
+              arg("progress") = none);
+  skin.def_property_readonly("components", &Skin::components,
                              "int: connected components of what is meshed, exact")
       .def_property_readonly("genus", &Skin::genus, "int: summed over components, exact")
-      .def("mesh", &mesh, mesh_text, py::kw_only(), arg("C") = none, arg("Q") = none,
-           arg("max_length_scale") = infinity, arg("edge_length") = none, arg("density") = none,
-           arg("triangles") = none, arg("grading") = none, arg("angle_goal_deg") = none,
-           arg("method") = none, arg("fronts") = none, arg("direction") = none,
-           arg("allow_uncertified") = false, arg("threads") = none, arg("progress") = none)
-      .def("critical_points", &critical_points, arg("direction") = none,
-           "critical_points(direction=None) -> CriticalPoints\n\n"
-           "Those of the height along `direction`, (3,), or along the library's choice. Voids that "
-           "are not\nmeshed are in them.\n\nRaises RefusedInput if the direction is degenerate for "
-           "this skin.")
-      .def("morse_smale", &morse_smale, arg("direction") = none, py::kw_only(),
-           arg("simplify") = false, arg("progress") = none,
-           "morse_smale(direction=None, *, simplify=False) -> MorseSmaleComplex\n\n"
-           "The complex of the same height as traced, nothing cancelled; or simplified as in "
-           "section 3.2 of the\npaper: short arcs, between overlapping protecting spheres, are "
-           "contracted. `progress` as of mesh().")
       .def("__repr__", [](const Skin& self) {
         return "<morskin.Skin: components " + std::to_string(self.components()) + ", genus " +
                std::to_string(self.genus()) + ">";
       });
+  define(skin, "mesh", &mesh, mesh_text, py::kw_only(), arg("C") = none, arg("Q") = none,
+         arg("max_length_scale") = infinity, arg("edge_length") = none, arg("density") = none,
+         arg("triangles") = none, arg("grading") = none, arg("angle_goal_deg") = none,
+         arg("method") = none, arg("fronts") = none, arg("direction") = none,
+         arg("allow_uncertified") = false, arg("threads") = none, arg("progress") = none);
+  define(skin, "critical_points", &critical_points, arg("direction") = none,
+         "critical_points(direction=None) -> CriticalPoints\n\n"
+         "Those of the height along `direction`, (3,), or along the library's choice. Voids that "
+         "are not\nmeshed are in them.\n\nRaises RefusedInput if the direction is degenerate for "
+         "this skin.");
+  define(skin, "morse_smale", &morse_smale, arg("direction") = none, py::kw_only(),
+         arg("simplify") = false, arg("progress") = none,
+         "morse_smale(direction=None, *, simplify=False) -> MorseSmaleComplex\n\n"
+         "The complex of the same height as traced, nothing cancelled; or simplified as in "
+         "section 3.2 of the\npaper: short arcs, between overlapping protecting spheres, are "
+         "contracted. `progress` as of mesh().");
   bind_functions(module);
 }
 

@@ -74,6 +74,25 @@ class Types(ModuleTest):
             for name in set(names) - {"self"}:
                 self.assertRegex(thing.__doc__, rf"\b{name}\b", thing)
 
+    def test_a_call_with_arguments_that_are_none_of_a_function_is_a_type_error_of_one_line(self):
+        skin = morskin.Skin(*BALLS)
+        mesh = skin.mesh(C=0.3)
+        for call, text in (
+                (lambda: skin.mesh(densty=5), "mesh(): got an unexpected keyword argument "
+                 "'densty'"),
+                (lambda: skin.mesh(0.2), "mesh(): too many positional arguments"),
+                (lambda: mesh.to_vtk(1), "to_vtk(): too many positional arguments"),
+                (lambda: mesh.save(), "save(): missing a required argument: 'file'"),
+                (lambda: morskin.Skin([[0, 0, 0]] * 99), "Skin(): missing a required argument: "
+                 "'radii'"),
+                (lambda: morskin.Skin(*BALLS, "vdw", model="sas"), "Skin(): multiple values for "
+                 "argument 'model'"),
+                (lambda: morskin.Skin.mesh(3), "mesh(): self is of another class"),
+                (lambda: morskin.read_mesh(), "read_mesh(): missing a required argument: 'file'")):
+            with self.subTest(text), self.assertRaises(TypeError) as caught:
+                call()
+            self.assertEqual(str(caught.exception), text)
+
     def test_every_array_s_text_has_its_shape_and_type(self):
         skin = morskin.read(MOLECULES / "ring12.xyzr").skin()
         for thing in (skin.mesh(C=0.3), skin.critical_points(), skin.morse_smale()):
