@@ -37,9 +37,10 @@ skin::Model inside(Model model) {
       return skin::Model::Vdw;
     case Model::SesLike:
       return skin::Model::SesLike;
-    default:
+    case Model::Paper:
       return skin::Model::Paper;
   }
+  throw geometry::RefusedInput("the model is none of Paper, Sas, Vdw and SesLike");
 }
 
 skin::ReadOptions inside(const ReadOptions& options) {
@@ -159,6 +160,9 @@ geometry::IndexedMesh inside(const TriangleMesh& mesh) {
 
 MeshingOptions inside(const MeshOptions& options) {
   require_one_size(options);
+  if (options.method && *options.method != Method::Sweep && *options.method != Method::Static) {
+    throw geometry::RefusedInput("the method is neither Sweep nor Static");
+  }
   MeshingOptions result;
   result.sizing = sizing_of(options);
   result.size_goal = {options.density, options.triangles};

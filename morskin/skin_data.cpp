@@ -176,6 +176,9 @@ std::vector<CriticalPoint> Skin::critical_points(const std::optional<Point>& dir
 MorseSmaleComplex Skin::morse_smale(const std::optional<Point>& direction, const RunOptions& run,
                                     Simplify simplify) const {
   return with_errors([&] {
+    if (simplify != Simplify::Not && simplify != Simplify::ShortArcs) {
+      throw geometry::RefusedInput("to simplify is neither Not nor ShortArcs");
+    }
     const PreparedSkin& skin = prepared_->skin;
     const morse::MorseSmaleComplex traced =
         trace_complex(skin, height_along(direction), inside(run)).complex;

@@ -193,6 +193,12 @@ TEST_CASE("values that make no sense are refused, each with its kind") {
     }
   }
   CHECK(kind_of([&] { Skin(three_atoms, {.probe = -1}); }) == Kind::Refused);
+  const morskin::SkinOptions no_model{.model = static_cast<morskin::Model>(99)};
+  CHECK(kind_of([&] { Skin(three_atoms, no_model); }) == Kind::Refused);
+  const MeshOptions no_method{.method = static_cast<morskin::Method>(99)};
+  CHECK(kind_of([&] { skin.mesh(no_method); }) == Kind::Refused);
+  const auto no_way = static_cast<morskin::Simplify>(99);
+  CHECK(kind_of([&] { skin.morse_smale({}, {}, no_way); }) == Kind::Refused);
   CHECK(kind_of([] { morskin::read_molecule("no such file.pdb"); }) == Kind::Unreadable);
   CHECK(kind_of([] { morskin::read_mesh("no such file.ply"); }) == Kind::Unreadable);
   CHECK(kind_of([] { morskin::write_mesh({}, "no such folder/a.ply"); }) == Kind::Unwritable);
