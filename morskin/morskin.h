@@ -202,6 +202,9 @@ class Skin {
   ///                Singular; Limit; Stopped
   explicit Skin(std::span<const Atom> atoms, const SkinOptions& options = {},
                 const RunOptions& run = {});
+  // A move is a copy, so that a skin that was moved from is one still.
+  Skin(const Skin&) = default;
+  Skin& operator=(const Skin&) = default;
 
   /// Of what is meshed: without those that bound voids which are left out.
   std::size_t components() const;
@@ -243,7 +246,8 @@ class Skin {
   std::shared_ptr<const Prepared> prepared_;
 };
 
-/// A mesh of a skin, together with the skin.
+/// A mesh of a skin, together with the skin. One that was moved from has lost its triangles: it may
+/// be assigned to or destroyed, no more.
 class SkinMesh {
  public:
   const Skin& skin() const { return skin_; }

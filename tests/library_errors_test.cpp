@@ -9,6 +9,7 @@
 #include <limits>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "morskin/morskin.h"
@@ -203,6 +204,13 @@ TEST_CASE("values that make no sense are refused, each with its kind") {
   CHECK(kind_of([] { morskin::read_mesh("no such file.ply"); }) == Kind::Unreadable);
   CHECK(kind_of([] { morskin::write_mesh({}, "no such folder/a.ply"); }) == Kind::Unwritable);
   CHECK(kind_of([&] { skin.certify({{{0, 0, 0}}, {{0, 1, 2}}}); }) == Kind::Refused);
+}
+
+TEST_CASE("a skin that was moved from is one still") {
+  Skin skin(three_atoms, balls);
+  const Skin moved = std::move(skin);
+  CHECK(skin.components() == moved.components());
+  CHECK(skin.mesh({.C = 0.3}).certificate().certified);
 }
 
 TEST_CASE("noise in the place of zero is rounded and counted, and weights are no radii") {
