@@ -142,7 +142,7 @@ RadiusTable read_radius_table(const std::filesystem::path& file) {
 RadiusTable radius_table(const std::string& text) {
   if (const std::optional<RadiusTable> table = parse_radius_table(text)) return *table;
   std::error_code unknown;
-  if (text != "-" && !std::filesystem::exists(text, unknown) && !unknown) {
+  if (!text.empty() && text != "-" && !std::filesystem::exists(text, unknown) && !unknown) {
     throw geometry::UnreadableInput(text +
                                     ": there are no such radii, and no such file; take "
                                     "elements, bondi, alvarez, a list as C=1.7 or a file");

@@ -131,6 +131,15 @@ TEST_CASE("a mesh with a vertex that is not finite is written to no file") {
   }
 }
 
+TEST_CASE("an empty name of a file to write, or of a table of radii, is told as one") {
+  const morskin::support::TemporaryFolder folder;
+  CHECK_THROWS_WITH_AS(Skin(three_atoms, balls).mesh({.C = 0.3}).write(""),
+                       "the name of a file to write is empty; give one", Error);
+  const auto atom = folder.file("a.xyz", "1\n\nC 0 0 0\n");
+  CHECK_THROWS_WITH_AS(morskin::read_molecule(atom, {.radii = ""}),
+                       "the name of a file to read is empty; give one", Error);
+}
+
 TEST_CASE("a vertex beyond single precision is written to no file that has no more") {
   const morskin::support::TemporaryFolder folder;
   const morskin::TriangleMesh mesh{{{0, 0, 0}, {-4e38, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};

@@ -151,6 +151,7 @@ void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh, Mesh
 }
 
 MeshFormat plain_format_of(const std::filesystem::path& path) {
+  if (path.empty()) throw UnwritableOutput("the name of a file to write is empty; give one");
   const std::optional<MeshFormat> format = mesh_format_of(path);
   const bool is_msms = format == MeshFormat::MsmsVertices || format == MeshFormat::MsmsFaces;
   if (!format || is_msms) {
