@@ -139,6 +139,16 @@ double take_coordinate(const TextLines& lines, std::size_t first) {
   return *value;
 }
 
+// What is wider than its columns moves all that is behind it. Coordinates that fill theirs still
+// read as numbers then, with their first digits from the one before; only the last one's end tells.
+void check_not_moved(const TextLines& lines) {
+  const std::string_view behind = columns(lines.line(), 55, 60);
+  if (behind.empty() || !is_digit(behind[0]) || lines.line()[53] == ' ') return;
+  if (parse_double(trimmed(behind)) && behind.find('.') != std::string_view::npos) return;
+  lines.fail("no occupancy in columns 55-60, found " + geometry::quoted(trimmed(behind)) +
+             "; PDB columns are fixed, use mmCIF, PQR or XYZR if they overflow");
+}
+
 // Of "MODEL        2".
 std::optional<std::int64_t> number_of_model(std::string_view line) {
   geometry::take_field(line);
@@ -158,6 +168,7 @@ AtomRecord atom_on(const TextLines& lines) {
   atom.line = static_cast<std::uint32_t>(lines.number());
   atom.position = {take_coordinate(lines, 31), take_coordinate(lines, 39),
                    take_coordinate(lines, 47)};
+  check_not_moved(lines);
   record.is_hetatm = line.starts_with("HETATM");
   record.alternate = line[16];
   record.occupancy = parse_double(trimmed(columns(line, 55, 60))).value_or(1.0);

@@ -47,6 +47,24 @@ TEST_CASE("names of mmCIF that a short label does not tell apart are refused, no
                        doctest::Contains("alternate location"), RefusedInput);
 }
 
+TEST_CASE("a PDB number that overflows into full columns is refused, not read with its digits") {
+  const std::string start = "ATOM      1  C   LIG A   1    ";
+  for (const char* rest :
+       {"  10.000-1000.1231000.000  1.00  0.00           C  ",
+        "-1000.1231000.0001000.000  1.00  0.00           C  ", "-1000.1231000.0001000.000"}) {
+    CAPTURE(rest);
+    CHECK_THROWS_WITH_AS(parse_molecule(start + rest, "a.pdb"),
+                         doctest::Contains("a.pdb:1: no occupancy in columns 55-60"),
+                         UnreadableInput);
+  }
+  for (const char* rest : {"-1000.1231000.001000.000  1.00", "1000.0001000.0001000.000100.00",
+                           "10.000   1.0     2.0", "1000.0001000.0001000.000",
+                           "1000.0001000.0001000.0001.00", "1000.0001000.0001000.000******"}) {
+    CAPTURE(rest);
+    CHECK(parse_molecule(start + rest, "a.pdb").atoms.size() == 1);
+  }
+}
+
 TEST_CASE("a name of PQR that a label would cut is refused with its line, one that fits is not") {
   const auto with = [](const std::string& name, const std::string& residue,
                        const std::string& chain, const std::string& number) {
