@@ -205,6 +205,7 @@ bool is_pqr_record(std::string_view word) {
 ParsedFile parse_pqr(std::string_view bytes, const std::string& source, ModelSearch& models) {
   const auto is_atom = [](std::string_view line) { return is_pqr_record(take_field(line)); };
   ParsedFile file = parse_records(bytes, source, "PQR", is_atom, pqr_atom, models);
+  file.has_locations = false;
   file.has_radii = true;
   file.has_charges = true;
   return file;

@@ -89,6 +89,17 @@ TEST_CASE("a name of PQR that a label would cut is refused with its line, one th
           "shorten it");
 }
 
+TEST_CASE("an alternate location of PQR, which tells of none, is refused") {
+  const std::string ball = "ATOM 1 C ALA A 1 0 0 0 0 1.7\n";
+  for (const Selection& selection :
+       {Selection{.all_locations = true}, Selection{.location = 'A'}}) {
+    CHECK_THROWS_WITH_AS(parse_molecule(ball, "a.pqr", {.selection = selection}),
+                         "a.pqr: does not tell an atom's alternate locations; do not choose by it",
+                         RefusedInput);
+  }
+  CHECK(parse_molecule(ball, "a.pqr", {.selection = {.chains = {"A"}}}).atoms.size() == 1);
+}
+
 TEST_CASE("a gzip bomb is turned down, a file that merely packs well is not") {
   const std::string ball = "0 0 0 1\n";
   const auto packed = [&](std::size_t bytes) {
