@@ -170,6 +170,15 @@ class Sources(Batch):
                          dict.fromkeys(names, "ok") |
                          dict.fromkeys(("gone.xyzr", "ring.xyzr"), "unreadable"))
 
+    def test_of_a_folder_and_a_pattern_only_files_are_taken(self):
+        names = self.chains(1)
+        os.mkfifo(self.folder / "in/pipe.xyzr")  # which would hold its worker for ever
+        (self.folder / "in/folder.xyzr").mkdir()
+        (self.folder / "in/gone.xyzr").symlink_to("nowhere.xyzr")
+        for number, words in enumerate(("in", "in/*.xyzr")):
+            self.batch(words, "-o", f"out{number}", "--timeout", "20", *COARSE)
+            self.assertEqual(sorted(self.rows(f"out{number}")), [*names, "gone.xyzr"])
+
     def test_a_name_too_long_for_its_output_is_refused_before_anything_is_made(self):
         self.chains(1)
         for length, code in ((225, 0), (247, 2)):

@@ -103,8 +103,9 @@ std::vector<BatchInput> fitting(const std::string& pattern) {
   const bool is_found = outcome == 0;
   for (std::size_t i = 0; is_found && i < found.gl_pathc; ++i) {
     const path file = found.gl_pathv[i];
-    std::error_code ignored;
-    if (std::filesystem::is_directory(file, ignored)) continue;
+    std::error_code ignored;  // of a link in a ring
+    const bool leads_nowhere = !std::filesystem::exists(file, ignored);
+    if (!leads_nowhere && !std::filesystem::is_regular_file(file, ignored)) continue;
     inputs.push_back({(base.empty() ? file : file.lexically_relative(base)).string(), file});
   }
   if (inputs.empty()) {
