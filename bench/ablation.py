@@ -50,10 +50,12 @@ MOLECULES = ["1crn.pdb", GRAMICIDIN, "5tmn_ligand.pdb", "9dna.pdb", "benzene.pdb
              "caffeine.xyz", "cube8.xyzr", "ring12.xyzr", "shell_hollow.xyzr", "two_balls.xyzr"]
 RANDOM_SETS = 100
 MAX_MEMORY = 2 * 2**30  # bytes, of a run
+TIMEOUT = 60  # seconds, of a run
 
 
 def arguments():
-    parser = argument_parser(__doc__, timeout=60, results="papers/results/ablation.tsv", takes=[])
+    parser = argument_parser(__doc__, timeout=TIMEOUT, results="papers/results/ablation.tsv",
+                             takes=[])
     parser.add_argument("--repetitions", type=positive, default=2,
                         help="of every run (%(default)s)")
     return parser.parse_args()
@@ -149,10 +151,10 @@ def row(name, reports, base):
             "min_angle_1grm": gramicidin.get("min_angle_deg", "-")}
 
 
-def measure(results, timeout=60, repetitions=2, only="", is_quick=False):
+def measure(results, timeout, repetitions=2, only="", is_quick=False):
     """Runs all rows and writes them; returns them. Quick takes every ninth input, once."""
     if is_quick:
-        timeout, repetitions = timeout / 6, 1
+        timeout, repetitions = min(timeout, TIMEOUT / 6), 1
     with tempfile.TemporaryDirectory() as folder:
         pairs = inputs(Path(folder), only)[::9 if is_quick else 1]
         if not pairs:

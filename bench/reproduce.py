@@ -224,7 +224,8 @@ def agreement(options, methods, notes, folder, temporary):
 
 
 def ablated(options):
-    rows = ablation.measure(options.results / "ablation.tsv", repetitions=options.repetitions,
+    rows = ablation.measure(options.results / "ablation.tsv",
+                            min(options.timeout, ablation.TIMEOUT), options.repetitions,
                             is_quick=options.quick)
     return argparse.Namespace(rows=rows, failures=ablation.failures(rows))
 

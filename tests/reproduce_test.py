@@ -95,6 +95,16 @@ class Ablation(unittest.TestCase):
                 reports = ablation.run_in_turns(Path("x"), "vdw", 60, 2)
             self.assertEqual(reports, {ablation.NONE: counts})
 
+    def test_no_run_of_it_takes_longer_than_asked_nor_than_its_own_limit(self):
+        for timeout, is_quick, limit in ((1800, False, 60), (20, True, 10), (5, False, 5),
+                                         (5, True, 5)):
+            options = argparse.Namespace(results=Path("x"), timeout=timeout, quick=is_quick,
+                                         repetitions=2)
+            with (mock.patch.object(ablation, "run_in_turns", side_effect=InterruptedError) as run,
+                  self.assertRaises(InterruptedError)):
+                reproduce.ablated(options)
+            self.assertEqual(run.call_args.args[2], limit)
+
     def test_a_row_whose_certified_runs_are_not_those_of_the_first_row_has_no_ratios(self):
         good = {"outcome": "certified", "input": "x"}
         failed = {"outcome": "failed", "reason": "exit 1"}
