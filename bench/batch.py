@@ -44,7 +44,10 @@ def arguments():
     parser.add_argument("--plan", action="store_true", help="write the list of recipes, no more")
     parser.add_argument("--sample", type=int, default=COUNT, metavar="N", help="recipes to take")
     parser.add_argument("--workers", type=int, default=2, help="default %(default)s")
-    return parser.parse_args()
+    options = parser.parse_args()
+    if options.plan and options.only:
+        parser.error("--plan writes the recipes of all files; leave --only out")
+    return options
 
 
 def residues_of(path):

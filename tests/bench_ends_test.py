@@ -226,6 +226,14 @@ class Ends(unittest.TestCase):
                 with self.subTest(script.__name__), contextlib.redirect_stderr(io.StringIO()):
                     self.assertEqual(self.code_of(script, "--repetitions", count), (2, ""))
 
+    def test_a_plan_of_some_files_is_a_wrong_argument_and_leaves_the_recipes(self):
+        said = io.StringIO()
+        with (mock.patch.object(batch, "RECIPES", self.table), contextlib.redirect_stderr(said),
+              mock.patch.object(batch, "plan", return_value=[])):
+            self.assertEqual(self.code_of(batch, "--plan", "--only", "1aon"), (2, ""))
+        self.assertIn("leave --only out", said.getvalue())
+        self.assertFalse(self.table.exists())
+
     def test_a_folder_for_the_table_is_a_wrong_argument_before_anything_is_run(self):
         said = io.StringIO()
         for script in (angles, prediction):
