@@ -33,6 +33,8 @@ def arguments():
 
 
 def verdict_of(run):
+    if run.code == 4 and "singular" in run.complaint:
+        return "refused"
     if not run.report:
         return "FAILED: " + run.complaint
     if not run.report["certified"]:
@@ -76,7 +78,8 @@ def main():
     for (model, size), count in sorted(counts.items()):
         print(f"{model:6} C = {size:5} {count['atoms']:8} atoms in {count['runs']} pieces, "
               f"{count['triangles']} triangles: {count['certified']} certified at once, "
-              f"{count['fell']} after a fallback, {count['FAILED']} not")
+              f"{count['fell']} after a fallback, {count['refused']} refused as singular, "
+              f"{count['FAILED']} not")
     end([], rows.rows)
 
 

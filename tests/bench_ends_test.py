@@ -80,6 +80,14 @@ class Ends(unittest.TestCase):
             named = [f"caffeine.xyz, {model}: " in row["verdict"] for model in ("paper", "vdw")]
             self.assertEqual((code, named), (1, [r is not GOOD for r in runs]), row)
 
+    def test_a_singular_piece_is_refused_and_not_one_that_coarse_meshes_miss(self):
+        for run, verdict in ((SINGULAR, "refused"), (EMPTY, "FAILED: " + EMPTY.complaint)):
+            self.assertEqual(coarse.verdict_of(run), verdict)
+        with mock.patch.object(coarse, "mesh", side_effect=[SINGULAR, BAD]):
+            _, said = self.code_of(coarse, "--only", "caffeine", "--sizes", "0.2", "--models",
+                                   "vdw", "--pieces", "2")
+        self.assertIn("0 after a fallback, 1 refused as singular, 1 not", said)
+
     def test_angles_of_no_run_are_none(self):
         for runs, ends in (((BAD, BAD), 1), ((SINGULAR, SINGULAR), 0), ((SINGULAR, EMPTY), 1)):
             code, row = self.angles(*runs)
