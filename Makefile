@@ -145,7 +145,7 @@ papers-update: command  ## count triangles anew, and put all that papers/results
 solvers: command  ## what solvers make of the meshes, into papers/results (see papers/solvers.md)
 	@cmake/install_packages.sh cmake/plot_packages.txt
 	/usr/bin/python3 bench/solvers/run.py $(SOLVERS)
-	/usr/bin/python3 bench/solvers/plot.py
+	$(if $(findstring --results,$(SOLVERS)),,/usr/bin/python3 bench/solvers/plot.py)
 
 exercise: deps  ## try the exercises of the page NAME (NAME=2.1-molecular-skin)
 	@test -f "papers/exercises/$(NAME).h" || { echo "make exercise NAME=PAGE, one of:"; \

@@ -4,6 +4,7 @@ against the closed forms of Born and Kirkwood, its condition numbers against Num
 angles of tetrahedra. Needs NumPy and SciPy. Usage: solvers_test.py path/to/morskin"""
 
 import math
+import subprocess
 import sys
 import unittest
 
@@ -49,6 +50,15 @@ def by_brute_force(point, corners, normal, pieces=300):
     a, b, c = corners
     weight = np.linalg.norm(np.cross(b - a, c - a)) / 2 / len(u)
     return weight * hats.T @ (1 / r), -weight * hats.T @ (arms @ normal / r**3)
+
+
+class Makefile(unittest.TestCase):
+    def test_tables_in_another_folder_leave_the_picture_of_the_pages_as_it_is(self):
+        for words, draws in (("", True), ("balls", True), ("balls --results x", False)):
+            done = subprocess.run(["make", "-n", "solvers", f"SOLVERS={words}"], check=True,
+                                  cwd=MOLECULES.parent.parent, capture_output=True, text=True)
+            self.assertIn(f"run.py {words}".strip(), done.stdout)
+            self.assertEqual("plot.py" in done.stdout, draws, words)
 
 
 class Solvers(CommandTest):
