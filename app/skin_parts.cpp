@@ -70,8 +70,14 @@ std::string voids_text(const std::vector<SkinParts::Cavity>& voids, const std::s
   if (voids.empty()) return line("voids", "none");
   const auto dropped = static_cast<std::size_t>(
       std::ranges::count_if(voids, [](const auto& v) { return v.is_dropped; }));
-  return line("voids", grouped(voids.size()) + volumes_text(voids) +
-                           (dropped == 0 ? "" : "; " + grouped(dropped) + " dropped") + area);
+  // A mesh tells no volumes of those that it lacks.
+  const auto known = static_cast<std::size_t>(
+      std::ranges::count_if(voids, [](const auto& v) { return v.volume.has_value(); }));
+  const bool is_of_others = dropped > 0 && known > 0 && known < voids.size();
+  const std::string others = known == 1 ? ", the other" : ", the others";
+  return line("voids", grouped(voids.size()) + (is_of_others ? "" : volumes_text(voids)) +
+                           (dropped == 0 ? "" : "; " + grouped(dropped) + " dropped") +
+                           (is_of_others ? others + volumes_text(voids) : "") + area);
 }
 
 std::string waists_text(const char* label, const std::vector<skin::Waist>& waists) {

@@ -31,6 +31,15 @@ class Voids(CommandTest):
                 if not is_dropped:  # what the mesh's wall encloses
                     self.assertTrue(840 < void["volume"][0] == void["volume"][1] < 900)
 
+    def test_the_report_gives_the_volumes_of_the_voids_that_are_kept_as_theirs_alone(self):
+        crambin = MOLECULES / "1crn.pdb"
+        for limit, said in (("1", r"10; 9 dropped, the other of [\d.]+ A\^3; walls of "),
+                            ("0.5", r"10; 7 dropped, the others of [\d.]+ to [\d.]+ A\^3; walls"),
+                            ("drop", r"10; 10 dropped\n"), ("keep", r"10 of .* A\^3; walls of ")):
+            text = self.run_morskin("mesh", crambin, "-o", "mesh.ply", "-C", "0.4",
+                                    "--voids", limit).stdout.decode()
+            self.assertRegex(text, "  voids       " + said)
+
     def test_dynamic_and_marching_cubes_leave_out_the_void_that_is_dropped(self):
         report = self.meshed("--voids", "drop", "--method", "dynamic")
         self.assertTrue(report["certified"])
