@@ -95,7 +95,7 @@ std::optional<Point> nearby_critical_point(const Function& f, const Box& box) {
   const std::string value = geometry::in_digits(f.at(at).value, 9);
   throw SingularLevel("the surface is singular, or nearly so, at " + geometry::in_words(at) +
                           ", where the function has the critical value " + value +
-                          ", next to the level 0; choose another level",
+                          ", next to the level 0; choose another level, or scale a tiny surface up",
                       at, f.at(at).value);
 }
 

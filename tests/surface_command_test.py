@@ -132,7 +132,8 @@ class Surfaces(CommandTest):
         os.mkfifo(self.folder / "pipe.xyzr")
         self.input("pair.xyzr", "0 0 0 1\n9 0 0 1\n9 0 0 3\n")
         for surface, why in (("formula:x", "not closed"), ("formula:1/0", "not closed"),
-                             ("formula:x^2+y^2-z^2*(1-z^2)", "singular"), ("cube:1", "it must be"),
+                             ("formula:x^2+y^2-z^2*(1-z^2)", "singular"),
+                             ("sphere:1e-6", "scale a tiny surface up"), ("cube:1", "it must be"),
                              ("formula:x+", "column 3"), ("gaussian:pipe.xyzr", "no file"),
                              ("gaussian:-", "no file"), ("gaussian:a,b.pdb", "has no comma"),
                              ("gaussian:pair.xyzr,decay=0", "decay")):
