@@ -20,16 +20,12 @@ using geometry::trimmed;
 constexpr std::string_view remark = "REMARK 350";
 constexpr std::size_t text_end = 72;  // old files have the entry's code and a number behind it
 
-/// "A, B, C,"
+/// "A, B, C,"; some programs leave the commas out.
 std::vector<std::string> names_in(std::string_view text) {
-  std::vector<std::string> names;
-  while (!text.empty()) {
-    const std::size_t comma = std::min(text.find(','), text.size());
-    const std::string_view name = trimmed(text.substr(0, comma));
-    if (!name.empty()) names.emplace_back(name);
-    text.remove_prefix(std::min(comma + 1, text.size()));
-  }
-  return names;
+  std::string words(text);
+  std::ranges::replace(words, ',', ' ');
+  const std::vector<std::string_view> fields = geometry::fields_of(words);
+  return {fields.begin(), fields.end()};
 }
 
 /// Goes through the remark line by line and keeps one assembly.

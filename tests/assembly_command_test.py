@@ -250,6 +250,14 @@ class Assemblies(CommandTest):
         self.check(self.positions("old.pdb", "--biological-assembly", "1"),
                    [[1, 2, 3], [2, 2, 53]])
 
+    def test_names_of_chains_without_commas_between_are_all_taken(self):
+        text = "".join(f"HETATM    {i}  O   HOH {c}   {i}       {i}.000   2.000   3.000\n"
+                       for i, c in enumerate("ABC", 1))
+        for chains in ("A, B", "A B", "A,B,"):
+            self.input("names.pdb", remark_350([IDENTITY], chains) + text)
+            self.check(self.positions("names.pdb", "--biological-assembly", "1"),
+                       [[1, 2, 3], [2, 2, 3]])
+
     def test_a_damaged_remark_is_refused_with_its_line(self):
         text, motion = self.two_fold()
         good = remark_350([IDENTITY, motion]).splitlines()
