@@ -155,15 +155,32 @@ std::optional<std::int64_t> number_of_model(std::string_view line) {
   return geometry::parse_integer(geometry::take_field(line));
 }
 
-AtomRecord atom_on(const TextLines& lines) {
+// Column 21 is the fourth letter of a residue's name or, from Phenix, CCP4 and others, the first of
+// a chain's. The former never stands behind these names, whose residues have no other forms.
+constexpr std::array<std::string_view, 5> names_of_three = {"HOH", "ILE", "LEU", "PHE", "VAL"};
+
+bool has_long_chain_names(std::string_view bytes) {
+  TextLines lines(bytes, {});
+  while (lines.advance()) {
+    const std::string_view line = lines.line(), chain = trimmed(columns(line, 21, 22));
+    if (chain.size() < 2 || !is_atom(line)) continue;
+    if (std::ranges::find(names_of_three, columns(line, 18, 20)) != names_of_three.end()) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// @param chain_column  the first, 21 or 22; what is before is the residue's name
+AtomRecord atom_on(const TextLines& lines, std::size_t chain_column) {
   const std::string_view line = lines.line();
   AtomRecord record;
   Atom& atom = record.atom;
   const std::string_view name = columns(line, 13, 16);
   atom.name = Label(trimmed(name));
-  atom.residue = Label(trimmed(columns(line, 18, 21)));  // column 21: names of four letters
+  atom.residue = Label(trimmed(columns(line, 18, chain_column - 1)));
   atom.residue_number = Label(trimmed(columns(line, 23, 27)));
-  atom.chain = record.assembly_chain = Label(trimmed(columns(line, 22, 22)));
+  atom.chain = record.assembly_chain = Label(trimmed(columns(line, chain_column, 22)));
   record.segment = Label(trimmed(columns(line, 73, 76)));
   atom.line = static_cast<std::uint32_t>(lines.number());
   atom.position = {take_coordinate(lines, 31), take_coordinate(lines, 39),
@@ -223,7 +240,12 @@ ParsedFile parse_records(std::string_view bytes, const std::string& source,
 }
 
 ParsedFile parse_pdb(std::string_view bytes, const std::string& source, ModelSearch& models) {
-  return parse_records(bytes, source, "PDB", is_atom, atom_on, models);
+  const auto with_letter = [](const TextLines& lines) { return atom_on(lines, 22); };
+  const auto with_name = [](const TextLines& lines) { return atom_on(lines, 21); };
+  if (has_long_chain_names(bytes)) {
+    return parse_records(bytes, source, "PDB", is_atom, with_name, models);
+  }
+  return parse_records(bytes, source, "PDB", is_atom, with_letter, models);
 }
 
 }  // namespace morskin::skin::molecule_formats

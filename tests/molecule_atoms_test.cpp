@@ -223,6 +223,25 @@ TEST_CASE("a chain of a long name is chosen by all of it or by what an error tel
                        "a.cif: has no chain heavychain2; choose from B, heavycha", RefusedInput);
 }
 
+TEST_CASE("chains of two letters in a PDB file are no names of residues with four, which stay") {
+  const auto line = [](const char* residue_and_chain, double x, char letter = ' ') {
+    std::string text = pdb_line("ATOM", " CA ", letter, "UNL", 5, x, "");
+    return text.replace(17, 5, residue_and_chain);
+  };
+  const std::string waters = line("HOHAB", 9) + line("HOH C", 9);
+  const Molecule two = parse_molecule(
+      line("SERAB", 0, 'A') + line("SERAB", 1, 'B') + line("LEUBB", 5) + line("LIGBB", 7) + waters,
+      "a.pdb");
+  CHECK(two.atoms.size() == 3);
+  CHECK(two.counts.waters == 2);
+  CHECK(describe(two.atoms[0]) == "atom CA of SER 5 chain AB (line 1)");
+  CHECK(describe(two.atoms[2]) == "atom CA of LIG 5 chain BB (line 4)");
+  const Molecule four =
+      parse_molecule(line("LYSHA", 0) + line("LEU A", 3) + line("POPCB", 6), "a.pdb");
+  CHECK(describe(four.atoms[0]) == "atom CA of LYSH 5 chain A (line 1)");
+  CHECK(describe(four.atoms[2]) == "atom CA of POPC 5 chain B (line 3)");
+}
+
 TEST_CASE("an mmCIF atom without an author's name, residue or number has its label's") {
   std::string tags = "data_x\nloop_\n";
   for (const char* tag :
