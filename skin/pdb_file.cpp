@@ -55,9 +55,19 @@ std::string_view symbol_or_empty(std::string_view element) {
   return element_symbol(element).value_or(std::string_view());
 }
 
-// Columns 77-78, if they have an element that the residue can have; "X" for an unknown one.
+// The element's columns. PDBQT, which passes for PDB, has AutoDock's type one further: "Cl" in
+// columns 78-79, or two letters for an element of one, of which "NA" and "OS" are others' symbols.
+std::string_view element_field(std::string_view line) {
+  const std::string_view type = columns(line, 78, 79);
+  const bool is_type = type.size() == 2 && is_letter(type[0]) && is_letter(type[1]);
+  if (!is_type || columns(line, 77, 77) != " ") return trimmed(columns(line, 77, 78));
+  const bool is_other = type == "NA" || type == "OS" || symbol_or_empty(type).empty();
+  return is_other ? type.substr(0, 1) : type;
+}
+
+// Those columns, if they have an element that the residue can have; "X" for an unknown one.
 std::string_view element_from_columns(std::string_view line, std::string_view residue) {
-  const std::string_view field = trimmed(columns(line, 77, 78));
+  const std::string_view field = element_field(line);
   if (field.empty() || !is_letter(field[0])) return {};
   if (field == unknown_element) return unknown_element;
   const std::string_view symbol = symbol_or_empty(field);

@@ -115,6 +115,15 @@ TEST_CASE("the element columns win where the residue can have that element") {
   CHECK(molecule.atoms[0].radius == 1.85);
 }
 
+TEST_CASE("a PDBQT file gives its elements by AutoDock's types, one column further right") {
+  std::string text;
+  for (const char* type : {"C", "A", "Cl", "Br", "Fe", "NA", "Na", "OA", "OS", "SA", "HD"}) {
+    const std::string tail = std::string("  1.00  0.00    -0.085 ") + type;
+    text += pdb_line("ATOM", " C1 ", ' ', "UNL", 1, 0, tail.c_str());
+  }
+  CHECK(elements_of(parse_molecule(text, "a.pdbqt")) == "C C Cl Br Fe N Na O O S H");
+}
+
 TEST_CASE("of alternate places the likeliest stays, of equals the first letter") {
   const Molecule molecule = parse_molecule(
       alternate(" N  ", ' ', "SER", "  1.00") + alternate(" CA ", 'A', "SER", "  0.30") +
