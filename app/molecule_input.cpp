@@ -44,6 +44,7 @@ std::size_t round_coordinates(const skin::Molecule& molecule, std::vector<Weight
 }
 
 void check_weights(const MoleculeInput& input) {
+  const std::string given = input.molecule.weights.empty() ? "radius" : "weight";
   for (std::size_t i = 0; i < input.points.size(); ++i) {
     const double weight = input.points[i].weight;
     if (weight >= morskin::least_provable_weight && geometry::is_exact_weight(weight)) continue;
@@ -51,7 +52,7 @@ void check_weights(const MoleculeInput& input) {
         input.molecule.source + ": " + describe(input.molecule, geometry::AtomId{i}) +
         (weight > geometry::largest_exact
              ? " has too big a radius; give lengths in Angstrom"
-             : " has so small a radius that nothing can be proved of its skin; remove it"));
+             : " has so small a " + given + " that nothing can be proved of its skin; remove it"));
   }
 }
 

@@ -176,7 +176,7 @@ def number_cases():
         yield Case(f"a weight {word}", {"w.xyzw": f"0 0 0 1\n1 0 0 {word}\n"}, code=4,
                    says="w.xyzw:2: ball (line 2) has a weight that is not above 0")
     yield Case("a weight 1e-60 with all its digits", {"w.xyzw": "0 0 0 1.23e-60\n"}, code=4,
-               says="has so small a radius")
+               says="has so small a weight")
     yield Case("weights and a model", {"w.xyzw": "0 0 0 1\n"},
                [mesh("w.xyzw", "--model", "vdw"), mesh("w.xyzw", "--probe", "1")], code=2,
                says="leave out --")
