@@ -19,6 +19,7 @@ function fillHelp() {
 
 async function begin() {
   const message = document.getElementById('message');
+  document.documentElement.dataset.begun = '';
   try {
     if (typeof DecompressionStream === 'undefined') {
       throw new Error('this browser is too old to unpack the page (it lacks DecompressionStream)');

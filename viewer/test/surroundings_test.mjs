@@ -67,6 +67,22 @@ test('colours that a system forces upon the page leave the legend its own', { ti
   });
 });
 
+test('a page that was cut off says so, and is not unpacked for ever', { timeout: 900000 }, async () => {
+  const whole = readFileSync(pages.ligand), at = (words) => whole.lastIndexOf(words);
+  const file = join(folder, 'cut.html'), browser = await launch();
+  try {
+    for (const end of [at('id="about"') + 20, at('id="data"') + 5000, at('<script>') + 5000]) {
+      writeFileSync(file, whole.subarray(0, end));
+      const page = await browser.newPage();
+      await page.goto(`file://${file}`);
+      assert.equal(await page.locator('#message.failed').innerText(),
+        'The page cannot be shown: it is cut off, or this browser is too old');
+    }
+  } finally {
+    await browser.close();
+  }
+});
+
 test('a page whose data are broken says that they are', { timeout: 900000 }, async () => {
   const [before, data, after] = readFileSync(pages.ligand, 'utf8').split(/(?<=id="data">)([^<]*)/);
   const browser = await launch();
