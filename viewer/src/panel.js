@@ -9,6 +9,7 @@ import { levelColour } from './level.js';
 import * as palette from './palette.js';
 
 const css = palette.hex;
+const rounded = (x) => Number(x.toPrecision(4)); // as reports tell it
 
 export class Panel {
   constructor(root, viewer) {
@@ -32,7 +33,7 @@ export class Panel {
     if (layers) body.append(layers);
     if (viewer.section) body.append(this.#plane());
     body.append(element('p', { class: 'foot' }, `morskin ${about.version}`,
-      viewer.scene.page.about.C ? ` · C ${about.C}, Q ${about.Q}` : '',
+      viewer.scene.page.about.C ? ` · C ${rounded(about.C)}, Q ${rounded(about.Q)}` : '',
       about.function ? ` · ${about.function.words}` : ''));
     this.fold = element('button', { type: 'button', class: 'fold', 'aria-expanded': 'true',
       title: 'Fold or unfold the panel (P)', 'aria-label': 'Fold or unfold the panel',

@@ -35,6 +35,14 @@ test('gramicidin is under 5 MB and shows within 5 seconds', { timeout: 900000 },
   assert.ok(Math.min(...waits) < 5000, `ready after ${waits} ms`);
 });
 
+test('the foot of the panel tells C and Q as the report does', { timeout: 900000 }, async () => {
+  const words = [join(molecules, 'cube8.xyzr'), '-C', '0.2'];
+  const report = execFileSync(morskin, ['mesh', ...words, '--model', 'paper', '-o', '/dev/null'], { encoding: 'utf8' });
+  const [told] = report.match(/C 0\.2, Q \d\.\d{1,3}$/m);
+  await withPage(make('cube', ...words), small, async (page) =>
+    assert.ok((await page.locator('.foot').textContent()).includes(`· ${told} ·`), told));
+});
+
 test('every colouring of the surface differs from the one before', { timeout: 900000 }, async () => {
   await withPage(pages.ligand, small, async (page) => {
     const ids = await page.locator('#colour option').evaluateAll((list) => list.map((o) => o.value));
