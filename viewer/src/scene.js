@@ -154,8 +154,11 @@ export class Scene {
 function sortedComponents(mesh, isClosed) {
   const ofTriangle = mesh.components(), list = mesh.enclosed(ofTriangle);
   const order = list.map((_, i) => i);
+  // A mesh whose largest component faces inward is inside out: its sides tell no voids.
+  const largest = list.reduce((a, b) => (Math.abs(b.volume) > Math.abs(a.volume) ? b : a));
+  const isNamed = isClosed && largest.volume >= 0;
   if (isClosed) {
-    const isVoid = (i) => Number(list[i].volume < 0);
+    const isVoid = (i) => Number(isNamed && list[i].volume < 0);
     order.sort((i, j) => isVoid(i) - isVoid(j) ||
       Math.abs(list[j].volume) - Math.abs(list[i].volume));
   }
@@ -163,7 +166,7 @@ function sortedComponents(mesh, isClosed) {
   order.forEach((i, at) => { place[i] = at; });
   const outer = list.filter(({ volume }) => volume >= 0).length;
   const name = (i, at) => {
-    if (!isClosed) return `component ${at + 1}`;
+    if (!isNamed) return `component ${at + 1}`;
     if (list[i].volume < 0) return `void ${at - outer + 1}`;
     return outer === 1 ? 'outside' : `outside ${at + 1}`;
   };

@@ -5,12 +5,12 @@
 
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { readFileSync, statSync } from 'node:fs';
+import { readFileSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { settle } from './browser.mjs';
 import {
-  root, morskin, molecules, make, pages, stage, small, withPage, change, check, picture,
+  root, morskin, molecules, folder, make, pages, stage, small, withPage, change, check, picture,
 } from './pages.mjs';
 import { difference } from './pictures.mjs';
 
@@ -84,6 +84,29 @@ test('the angles of the page are as many below 30, 35 and 40 degrees as those of
       assert.ok(Math.max(...heights) > 40 && heights.slice(16).every((height) => height >= 1));
     });
   });
+
+test('a mesh that is inside out has neither outside nor voids', { timeout: 900000 }, async () => {
+  // A tetrahedron with a smaller one in it, which is a void, and the same inside out.
+  const corners = [[1, 0, 0], [0, 1, 0], [0, 0, 1], [-1, -1, -1]];
+  const outward = [[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]];
+  const inward = outward.map(([a, b, c]) => [a, c, b]);
+  const names = async (title, large, inner) => {
+    const file = join(folder, `${title}.ply`);
+    const places = [...corners, ...corners.map((p) => p.map((x) => x / 4))];
+    const faces = [...large, ...inner.map((face) => face.map((v) => v + 4))].map((face) => [3, ...face]);
+    writeFileSync(file, 'ply\nformat ascii 1.0\nelement vertex 8\nproperty double x\n' +
+      'property double y\nproperty double z\nelement face 8\n' +
+      'property list uchar int vertex_indices\nend_header\n' +
+      [...places, ...faces].map((line) => `${line.join(' ')}\n`).join(''));
+    let found;
+    await withPage(make(title, file), small, async (page) => {
+      found = await page.locator('.rows .toggle .name').allTextContents();
+    });
+    return found;
+  };
+  assert.deepEqual(await names('outward', outward, inward), ['outside', 'void 1']);
+  assert.deepEqual(await names('inward', inward, outward), ['component 1', 'component 2']);
+});
 
 test('every style of the surface shows', { timeout: 900000 }, async () => {
   await withPage(pages.ligand, small, async (page) => {
