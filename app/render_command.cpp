@@ -85,7 +85,7 @@ Camera camera_for(const std::vector<geometry::IndexedMesh>& meshes,
       pictures::camera_from(arguments.view, arguments.up, arguments.width, arguments.height)
           .fitted(points);
   if (!is_usable(camera)) {
-    throw geometry::UnreadableInput(
+    throw geometry::RefusedInput(
         arguments.meshes.front().string() +
         ": too large, too small or too far away to be drawn; scale it to some 1e-50 to 1e50");
   }

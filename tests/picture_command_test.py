@@ -106,7 +106,7 @@ class PictureCommand(CommandTest):
         for size in ("1e300", "1e-300"):
             (self.folder / "far.off").write_text(
                 f"OFF\n3 1 0\n0 0 0\n{size} 0 0\n0 {size} 0\n3 0 1 2\n")
-            self.run_morskin("render", "far.off", "-o", "x.png", "--size", "30", code=3)
+            self.run_morskin("render", "far.off", "-o", "x.png", "--size", "30", code=4)
 
     def test_a_figure_needs_no_file(self):
         self.assertEqual(size_of(self.picture("figure", "6", "--scale", "0.25")),
