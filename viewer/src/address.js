@@ -71,7 +71,7 @@ export class Address {
         changes[name] = word;
       }
     }
-    if (eye !== this.#eye()) this.#look(eye.split(',').map(Number));
+    if (eye !== this.#eye()) this.#look(eye.split(','));
     if (normal || changes.axis !== this.viewer.state.axis) this.viewer.setAxis(changes.axis, normal);
     this.viewer.set(changes);
   }
@@ -106,9 +106,12 @@ export class Address {
     return this.viewer.colourings.map(({ id }) => id);
   }
 
-  #look(numbers) {
-    if (numbers.length !== 6 || !numbers.every(Number.isFinite)) return;
-    const { camera, controls } = this.viewer.stage;
+  // Not from where, nor at what, nothing of the surface is seen.
+  #look(words) {
+    const { camera, controls, bounds: { middle } } = this.viewer.stage;
+    const numbers = words.filter((word) => word !== '').map(Number);
+    const isNear = (at) => Math.hypot(...middle.map((x, k) => numbers[at + k] - x)) < camera.far;
+    if (numbers.length !== 6 || !isNear(0) || !isNear(3)) return;
     camera.position.fromArray(numbers, 0);
     controls.target.fromArray(numbers, 3);
     controls.update();

@@ -75,6 +75,16 @@ test('an address that makes no sense opens the page as it is', { timeout: 900000
     await withPage(pages.ligand + nonsense, small, async (again) => {
       assert.deepEqual(await state(again), { ...first, offset: 1 });
     });
+    // Nor one that has the eye where there is nothing to see.
+    const eye = (at) => at.evaluate(() => window.viewer.stage.camera.position.toArray());
+    const home = await eye(page);
+    for (const word of ['0,0,0,1e300,0,0', '1e9,0,0,1e9,0,1', ',,,,,', '0,0,NaN,0,0,1', '1,2,3,4,5,6,7']) {
+      await page.evaluate((to) => { location.hash = `#edges=1&eye=${to}`; }, word);
+      await page.waitForFunction(() => window.viewer.state.edges);
+      assert.deepEqual(await eye(page), home, word);
+      await page.evaluate(() => { location.hash = ''; });
+      await page.waitForFunction(() => !window.viewer.state.edges);
+    }
   });
 });
 
