@@ -10,12 +10,21 @@ const slowFrame = 90; // milliseconds
 
 const up = new THREE.Vector3(0, 1, 0);
 
+function renderer() {
+  try {
+    return new THREE.WebGLRenderer({ antialias: true, powerPreference: 'high-performance' });
+  } catch (cause) {
+    throw new Error('this browser gives it no WebGL 2; turn on hardware acceleration in its ' +
+      'settings, or take another browser', { cause });
+  }
+}
+
 export class Stage {
   constructor(container, bounds) {
     this.container = container;
     this.bounds = bounds;
     this.onDraw = []; // called after each drawing
-    this.renderer = new THREE.WebGLRenderer({ antialias: true, powerPreference: 'high-performance' });
+    this.renderer = renderer();
     this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace; // colours are given as they show
     container.append(this.renderer.domElement);
     this.renderer.domElement.tabIndex = 0;

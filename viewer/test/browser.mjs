@@ -6,11 +6,11 @@ import { chromium } from 'playwright-core';
 // Milliseconds for any one thing: a busy machine is slow, and that is no failure.
 const patience = 300000;
 
-export async function launch() {
+export async function launch(...more) {
   return chromium.launch({
     executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
     args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader',
-      '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist', '--hide-scrollbars'],
+      '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist', '--hide-scrollbars', ...more],
   });
 }
 

@@ -52,6 +52,18 @@ test('without scripts the page says so, and is not unpacked for ever', { timeout
   }
 });
 
+test('a browser without WebGL is told what to do', { timeout: 900000 }, async () => {
+  const browser = await launch('--disable-3d-apis');
+  try {
+    const page = await browser.newPage();
+    await page.goto(`file://${pages.ligand}`);
+    assert.match(await page.locator('#message.failed').innerText(),
+      /^The page cannot be shown: .* no WebGL 2; turn on hardware acceleration/);
+  } finally {
+    await browser.close();
+  }
+});
+
 test('colours that a system forces upon the page leave the legend its own', { timeout: 900000 }, async () => {
   await withPage(pages.ligand, small, async (page) => {
     const colours = (part) => page.locator(part).evaluateAll((list) =>
