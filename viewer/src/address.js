@@ -41,9 +41,14 @@ export class Address {
     return words.toString().replaceAll('%2C', ',');
   }
 
+  // A page put into another as its text, as notebooks do, has no address.
+  get isThere() {
+    return location.protocol !== 'about:';
+  }
+
   write() {
     const text = this.text();
-    if (text === location.hash.slice(1)) return;
+    if (!this.isThere || text === location.hash.slice(1)) return;
     history.replaceState(null, '', text ? `#${text}` : location.pathname + location.search);
   }
 

@@ -32,8 +32,7 @@ export class Viewer {
       style: 'smooth', colouring: this.colourings[0].id, edges: false, seeThrough: false,
       atoms: false, points: false, lines: false, spheres: false, simplified: false,
       section: false, cut: false, axis: 'z', offset: 0, panel: true, hidden: '',
-      level: false, share: 0.5,
-      step: this.sweep?.steps ?? 0, playing: false,
+      level: false, share: 0.5, step: this.sweep?.steps ?? 0, playing: false,
       frame: this.growth?.frames.length ?? 0, growing: false,
     };
     this.normal = axes.z;
@@ -85,6 +84,7 @@ export class Viewer {
 
   // Where a page from a file may not write to the clipboard, the address bar has the link too.
   async copyLink() {
+    if (!this.address.isThere) return this.panel.say('This page has no address to link to.');
     this.address.write();
     try {
       await navigator.clipboard.writeText(location.href);

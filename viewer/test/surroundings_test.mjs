@@ -111,3 +111,20 @@ test('a page whose data are broken says that they are', { timeout: 900000 }, asy
     await browser.close();
   }
 });
+
+test('a page shown within another as its text works without an address', { timeout: 900000 }, async () => {
+  const outer = join(folder, 'outer.html');
+  const text = readFileSync(pages.ligand, 'utf8').replaceAll('&', '&amp;').replaceAll('"', '&quot;');
+  writeFileSync(outer, `<!doctype html><html data-ready><title>of another</title>
+    <iframe sandbox="allow-scripts" style="width: 700px; height: 380px" srcdoc="${text}"></iframe>`);
+  await withPage(outer, small, async (page) => {
+    const inner = await (await page.locator('iframe').elementHandle()).contentFrame();
+    await inner.waitForSelector('html[data-ready]');
+    await inner.evaluate(() => {
+      window.viewer.set({ edges: true });
+      window.viewer.address.write();
+      return window.viewer.copyLink();
+    });
+    assert.equal(await inner.locator('.told').textContent(), 'This page has no address to link to.');
+  });
+});
