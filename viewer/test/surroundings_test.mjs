@@ -128,3 +128,16 @@ test('a page shown within another as its text works without an address', { timeo
     assert.equal(await inner.locator('.told').textContent(), 'This page has no address to link to.');
   });
 });
+
+test('on paper the surface keeps its proportions and the legend its colours', { timeout: 900000 }, async () => {
+  await withPage(`${pages.ligand}#colouring=quality`, small, async (page) => {
+    const style = (part, name) => page.locator(part).first().evaluate((e, of) => getComputedStyle(e)[of], name);
+    await page.emulateMedia({ media: 'print' });
+    // The browser lays the page out for paper and draws nothing anew.
+    assert.equal(await style('canvas', 'objectFit'), 'contain');
+    assert.equal(await style('#scale', 'display'), 'none', 'it would not be true');
+    for (const part of ['.ramp', '.histogram i', '.toggle .dot']) {
+      assert.equal(await style(part, 'printColorAdjust'), 'exact', part);
+    }
+  });
+});
