@@ -10,6 +10,7 @@
 #include "app/triangle_colours.h"
 #include "geometry/error.h"
 #include "geometry/files/mesh_files.h"
+#include "geometry/mesh_shape.h"
 
 namespace morskin::app {
 namespace {
@@ -22,6 +23,7 @@ constexpr double min_side = 7;  // pixels of a mean triangle from which on its e
 struct Subject {
   pictures::Scene scene;
   std::size_t components = 0;  // as in TriangleColours
+  bool is_inside_out = false;
 };
 
 Subject subject_of(geometry::IndexedMesh mesh, const RenderArguments& arguments) {
@@ -36,9 +38,10 @@ Subject subject_of(geometry::IndexedMesh mesh, const RenderArguments& arguments)
   TriangleColours colours = triangle_colours(mesh, arguments.by);
   layer.triangle_colours = std::move(colours.colours);
   layer.coat.colour = arguments.colour;
+  const bool is_inside_out = geometry::measure_shape(mesh).volume < 0;
   layer.mesh = std::move(mesh);
   scene.meshes.push_back(std::move(layer));
-  return {std::move(scene), colours.components};
+  return {std::move(scene), colours.components, is_inside_out};
 }
 
 // The typical side of a triangle in the picture, pixels: the root of the mean of half the product
@@ -140,11 +143,12 @@ ExitCode render_command(const RenderArguments& arguments) {
   const Camera camera = camera_for(meshes, arguments);
   std::vector<Image> panels;
   std::size_t components = 0;
-  bool has_border = false;
+  bool has_border = false, shows_inside = false;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
-    auto [scene, own_components] = subject_of(std::move(meshes[i]), arguments);
+    auto [scene, own_components, is_inside_out] = subject_of(std::move(meshes[i]), arguments);
     components = std::max(components, own_components);
     has_border |= !scene.lines.empty();
+    shows_inside |= has_border || is_inside_out;
     panels.push_back(panel(scene, camera, arguments));
     if (i > 0 || !arguments.inset) continue;
     const Camera detail = inset_camera(camera, *arguments.inset, panels[0]);
@@ -152,9 +156,9 @@ ExitCode render_command(const RenderArguments& arguments) {
     draw_border(panels.back(), {pictures::ink, 2});
   }
   if (arguments.inset) std::rotate(panels.begin() + 1, panels.begin() + 2, panels.end());
-  const std::string picture =
-      pictures::png(pictures::with_legend(pictures::in_rows(panels, arguments.columns, gap),
-                                          legend_of(arguments, components, has_border)));
+  const std::string picture = pictures::png(
+      pictures::with_legend(pictures::in_rows(panels, arguments.columns, gap),
+                            legend_of(arguments, components, has_border, shows_inside)));
   time_limit.cancel();
   write_to_all(outputs, picture);
   return ExitCode::Success;

@@ -84,15 +84,14 @@ TriangleColours triangle_colours(const geometry::IndexedMesh& mesh, ColourBy by)
 }
 
 pictures::Legend legend_of(const RenderArguments& arguments, std::size_t components,
-                           bool has_border) {
+                           bool has_border, bool shows_inside) {
   pictures::Legend legend;
   if (arguments.by == ColourBy::Angle) legend.bar = angle_bar();
   if (arguments.by == ColourBy::Component) add_components(legend, components);
-  if (has_border) {
-    legend.entries.insert(legend.entries.end(),
-                          {{Mark::Line, border_red, "front, or rim of a hole"},
-                           {Mark::Patch, pictures::Coat{}.back, "inner side"}});
-  }
+  const pictures::LegendEntry border{Mark::Line, border_red, "front, or rim of a hole"};
+  const pictures::LegendEntry inside{Mark::Patch, pictures::Coat{}.back, "inner side"};
+  if (has_border) legend.entries.push_back(border);
+  if (shows_inside) legend.entries.push_back(inside);
   return legend;
 }
 

@@ -56,6 +56,17 @@ class PictureCommand(CommandTest):
         (self.folder / "open.off").write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
         self.assertGreater(size_of(self.picture("render", "open.off", *size))[1], 320)
 
+    def test_the_legend_of_a_mesh_that_is_inside_out_tells_of_its_inner_side(self):
+        heights = []
+        outward, inward = "021013123032", "012031132023"
+        for corners in (outward, inward):
+            faces = "".join("3 {} {} {}\n".format(*corners[i:i + 3]) for i in range(0, 12, 3))
+            (self.folder / "corner.off").write_text(
+                "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n" + faces)
+            heights.append(size_of(self.picture("render", "corner.off", "--size", "300"))[1])
+        self.assertEqual(heights[0], 300)
+        self.assertGreater(heights[1], 320)
+
     def test_options_change_the_picture(self):
         mesh = self.mesh()
         base = ("render", mesh, "--size", "80")
