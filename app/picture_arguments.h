@@ -39,7 +39,7 @@ struct RenderArguments {
   bool flat = false;  ///< triangles as they are, not shaded as a smooth surface
   bool shadows = true;
   int columns = 3;  ///< panels in a row
-  Limits limits{.advice = "draw a coarser mesh"};
+  Limits limits{.advice = "draw a smaller picture or a coarser mesh"};
 };
 
 struct FigureArguments {

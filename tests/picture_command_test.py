@@ -119,6 +119,11 @@ class PictureCommand(CommandTest):
                 f"OFF\n3 1 0\n0 0 0\n{size} 0 0\n0 {size} 0\n3 0 1 2\n")
             self.run_morskin("render", "far.off", "-o", "x.png", "--size", "30", code=4)
 
+    def test_a_picture_too_large_for_a_limit_is_advised_to_be_smaller(self):
+        done = self.run_morskin("render", self.mesh(), "-o", "x.png", "--size", "3000",
+                                "--timeout", "0.05", code=6)
+        self.assertIn(b"draw a smaller picture or a coarser mesh", done.stderr)
+
     def test_a_figure_needs_no_file(self):
         self.assertEqual(size_of(self.picture("figure", "6", "--scale", "0.25")),
                          size_of(self.picture("figure", "7", "--scale", "0.25")))
