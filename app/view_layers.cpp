@@ -1,5 +1,6 @@
 #include "app/view_layers.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -80,10 +81,15 @@ void thin(std::span<const Point> line, double tolerance, std::vector<Point>& res
   }
 }
 
-// Half a hundredth of an Angstrom is less than a pixel on screens.
-constexpr double line_tolerance = 0.005;
+// Half a hundredth of an Angstrom is less than a pixel on screens; of what is tiny a thousandth is.
+double line_tolerance(const std::vector<Point>& points) {
+  Eigen::AlignedBox3d box;
+  for (const Point& p : points) box.extend(p);
+  return std::min(0.005, box.sizes().maxCoeff() / 1000);
+}
 
-void add_lines(PageData& page, const std::string& name, const morse::MorseSmaleComplex& complex) {
+void add_lines(PageData& page, const std::string& name, const morse::MorseSmaleComplex& complex,
+               double tolerance) {
   std::vector<Point> points;
   Numbers lengths;
   std::vector<std::uint8_t> indices;  // of the extremum
@@ -91,12 +97,12 @@ void add_lines(PageData& page, const std::string& name, const morse::MorseSmaleC
     const std::span<const Point> line = complex.line(morse::ArcId{i});
     const std::size_t before = points.size();
     points.push_back(line.front());
-    thin(line, line_tolerance, points);
+    thin(line, tolerance, points);
     lengths.push_back(static_cast<std::uint32_t>(points.size() - before));
     indices.push_back(
         static_cast<std::uint8_t>(complex.points[complex.arcs[i].extremum.index()].index));
   }
-  const Grid grid = grid_about(points, line_tolerance / 10);
+  const Grid grid = grid_about(points, tolerance / 10);
   page.about[name] = {{"count", lengths.size()}, {"grid", json(grid)}};
   page.add(name + ".lengths", lengths);
   page.add(name + ".index", indices);
@@ -283,8 +289,9 @@ void add_morse(PageData& page, const morse::MorseSmaleComplex& traced,
   page.add("critical.survives", survives);
   page.add("critical.heir", heirs);
   if (!traced.arcs.empty()) {
-    add_lines(page, "lines", traced);
-    add_lines(page, "kept_lines", simplified.complex);
+    const double tolerance = line_tolerance(traced.line_points);
+    add_lines(page, "lines", traced, tolerance);
+    add_lines(page, "kept_lines", simplified.complex, tolerance);
   }
 }
 

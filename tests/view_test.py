@@ -150,6 +150,14 @@ class Layers(ViewTest):
             for *q, _, _, s in spheres:
                 self.assertTrue(p == q or r + s < math.dist(p, q) + 1e-5)
 
+    def test_lines_of_something_tiny_are_as_curved_as_those_of_something_large(self):
+        rows = [line.split() for line in self.ring.read_text().splitlines()[1:]]
+        path = self.folder / "tiny.xyzr"
+        path.write_text("".join(" ".join(repr(float(x) / 2**16) for x in row) + "\n"
+                                for row in rows))
+        lengths = self.view(path).array("lines.lengths")
+        self.assertGreater(sum(lengths) / len(lengths), 8)
+
     def test_lines_of_molecules_far_apart_keep_their_places(self):
         rows = [line.split() for line in self.ring.read_text().splitlines()[1:]]
         away = 9.9e5
