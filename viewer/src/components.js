@@ -3,7 +3,10 @@
 import { counted, element, number, section, toggle } from './dom.js';
 
 // Volumes as the report of `mesh` tells them.
-const volume = (x) => `${Number(x.toPrecision(4)).toLocaleString('en', { maximumFractionDigits: 9 })} Å³`;
+function volume(x) {
+  const told = Number(x.toPrecision(4));
+  return `${told < 1e-6 ? told : told.toLocaleString('en', { maximumFractionDigits: 9 })} Å³`;
+}
 
 export class ComponentList {
   constructor(viewer) {

@@ -108,6 +108,18 @@ test('a mesh that is inside out has neither outside nor voids', { timeout: 90000
   assert.deepEqual(await names('inward', inward, outward), ['component 1', 'component 2']);
 });
 
+test('the volume of something tiny is told with its digits', { timeout: 900000 }, async () => {
+  const balls = join(folder, 'specks.xyzr'), file = join(folder, 'specks.html');
+  writeFileSync(balls, '0 0 0 1.7\n0 0 4 0.001\n0 0 6 0.00001\n');
+  execFileSync(morskin, ['view', balls, '-o', file, '-q']);
+  await withPage(file, small, async (page) => {
+    const told = await page.locator('.rows .count').allTextContents();
+    const expected = [1.7, 0.001, 0.00001].map((radius) => 4 / 3 * Math.PI * radius ** 3);
+    told.forEach((words, i) =>
+      assert.ok(Math.abs(Number.parseFloat(words) / expected[i] - 1) < 0.02, `${words}, not ${expected[i]}`));
+  });
+});
+
 test('every style of the surface shows', { timeout: 900000 }, async () => {
   await withPage(pages.ligand, small, async (page) => {
     await page.locator('#colour').selectOption('plain');
