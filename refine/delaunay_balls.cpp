@@ -43,8 +43,9 @@ DelaunayRefinement::Ball DelaunayRefinement::ball_at(const FacetGeometry& facet,
 /// one, by Newton's steps kept between heights where G is below and above zero.
 ///
 /// G differs from its linear part by at most the square of the distance, so a step of d where the
-/// slope is s > 4 d has a zero within 2 d^2 / s of its end. If the ball is not asked to be exact,
-/// a step after which it is certainly small enough for [U] is the last.
+/// slope is s has a zero within e of its end if s e >= (d + e)^2: within e = 2 d^2 / s if s > 5 d,
+/// for (1 + 2 / 5)^2 < 2. If the ball is not asked to be exact, a step after which it is certainly
+/// small enough for [U] is the last.
 std::optional<DelaunayRefinement::Ball> DelaunayRefinement::ball_of(Facet inner,
                                                                     const FacetGeometry& facet,
                                                                     bool is_exact) const {
@@ -74,7 +75,7 @@ std::optional<DelaunayRefinement::Ball> DelaunayRefinement::ball_of(Facet inner,
     const double length = std::abs(next - height);
     if (!(next > low && next < high)) {
       next = low + (high - low) / 2;
-    } else if (!is_exact && length < short_step * radius && slope > 4 * length) {
+    } else if (!is_exact && length < short_step * radius && slope > 5 * length) {
       // N is 1-Lipschitz, and the zero is at most 3/2 d away.
       const Ball ball = ball_at(facet, next, cell, slope - 3 * length);
       if (ball.radius + 2 * length * length / slope < facet.largest) return ball;
