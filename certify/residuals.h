@@ -17,8 +17,8 @@ namespace morskin::certify {
 /// Whether every coordinate is a float.
 bool is_single_precision(std::span<const surface::Point> positions);
 
-/// The distance to the surface that a value of G stands for, Angstrom: on the patch of a sphere the
-/// exact one, as |x|^2 - G is its squared radius, elsewhere to first order.
+/// The distance to the surface that a value of G stands for, Angstrom: on the sphere of an atom the
+/// exact one, as rho^2 - G is its squared radius, elsewhere to first order.
 inline double estimated_distance(double G, double rho) {
   return std::abs(G) / (rho + std::sqrt(std::max(0.0, rho * rho - G)));
 }
