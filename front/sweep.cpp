@@ -81,7 +81,7 @@ void Sweep::mark_green(CriticalId maximum, const Departure& t) {
   for (SweepObserver* observer : observers_) observer->marked(maximum, t);
 }
 
-/// A front comes to a saddle from either side of the tangent direction of steepest descent.
+/// A front comes up to a saddle from two sides, by both of its lines of steepest descent.
 std::size_t Sweep::side_of_saddle(CriticalId saddle, VertexId v) const {
   const morse::CriticalPoint& s = guide_.points[saddle.index()];
   return s.descending.dot(mesh_.position(v) - s.point.position) > 0 ? 1 : 0;
