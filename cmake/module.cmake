@@ -1,8 +1,9 @@
 # add_module(NAME HEADERS ... SOURCES ... USES ... [EDGES ...])
 #
-# One static library per folder. The list after USES is the module's whole permission to include:
-# `make lint` fails on an include against the module order. EDGES names outside libraries (zlib)
-# that the sources, never the headers, need.
+# One static library per folder. HEADERS must compile alone; those that begin with "// Inside"
+# belong to the module's own sources and are not listed. The list after USES is the module's whole
+# permission to include: `make lint` fails on an include against the module order. EDGES names
+# outside libraries (zlib) that the sources, never the headers, need.
 function(add_module name)
   cmake_parse_arguments(ARG "" "" "HEADERS;SOURCES;USES;EDGES" ${ARGN})
   add_library(${name} STATIC ${ARG_SOURCES})
