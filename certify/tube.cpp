@@ -159,8 +159,8 @@ TubeProof prove_tube(const surface::Surface& surface, const Corners& corners,
   return prove_by_pieces(look, {at(0), at(1), at(2)}, triangle);
 }
 
-bool expects_tube(const surface::Surface& surface, const Corners& corners,
-                  const Circumcircle& circle) {
+bool expects_tube(const surface::Surface& surface, const Corners& corners) {
+  const Circumcircle circle = circumcircle(corners);
   const TriangleBounds triangle{TriangleSides(corners), circle.radius,
                                 circle.doubled_area.normalized(), 0};
   const double largest = max_length_scale(corners), max_error = error_of_mesher * largest;

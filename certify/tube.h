@@ -42,12 +42,11 @@ TubeProof prove_tube(const surface::Surface& surface, const Corners& corners,
 
 /// Whether both conditions hold by the same argument in plain doubles: for a mesher, not for a
 /// proof. @pre the corners are where Surface::project put them
-bool expects_tube(const surface::Surface& surface, const Corners& corners,
-                  const Circumcircle& circle);
+bool expects_tube(const surface::Surface& surface, const Corners& corners);
 /// The same of a triangle that meets [U], which need not be looked at where that implies both.
 inline bool expects_tube(const surface::Surface& surface, const Sizing& sizing,
                          const Corners& corners) {
-  return sizing.is_tube_proved() || expects_tube(surface, corners, circumcircle(corners));
+  return sizing.is_tube_proved() || expects_tube(surface, corners);
 }
 
 }  // namespace morskin::certify

@@ -59,7 +59,7 @@ bool is_fine_enough(const skin::SkinSurface& skin, const Mesh& mesh, const Sizin
     const std::array<const SurfacePoint*, 3> p{&mesh.at(a), &mesh.at(b), &mesh.at(c)};
     const auto circle = certify::circumcircle(p[0]->position, p[1]->position, p[2]->position);
     if (sizing.triangle_ratio(circle.radius, min_length_scale(p)) >= 1 ||
-        !certify::expects_tube(skin, p, circle)) {
+        !certify::expects_tube(skin, p)) {
       return false;
     }
   }

@@ -93,8 +93,7 @@ void check_everywhere(const skin::SkinSurface& skin, const std::array<SurfacePoi
 
 /// Whether a mesher would leave the triangle as it is.
 bool is_expected(const skin::SkinSurface& skin, const std::array<SurfacePoint, 3>& p) {
-  const auto circle = certify::circumcircle(p[0].position, p[1].position, p[2].position);
-  return certify::expects_tube(skin, {&p[0], &p[1], &p[2]}, circle);
+  return certify::expects_tube(skin, {&p[0], &p[1], &p[2]});
 }
 
 }  // namespace
