@@ -20,11 +20,12 @@ using surface::SurfacePoint;
 
 using SeedId = geometry::Id<struct SeedTag>;
 
-/// Least distance of two seeds over C Q times the larger length scale. A new sample keeps a
-/// distance of C Q / (1 + C Q) from all others, so less than 1 costs nothing.
+/// Least distance of two seeds over C Q times the larger length scale. A new sample keeps
+/// C Q / (1 + C Q) times its length scale from all others, so less than 1 costs nothing.
 constexpr double min_spacing = 0.9;
 /// Circumradius of a seed triangle over C Q rho: its edges are 0.7 sqrt(3) = 1.21 C Q rho long.
-/// Nothing is inserted into its ball, since what is inserted keeps farther away than the radius.
+/// Nothing is inserted into its ball for [U] while C Q < 0.214, since what is inserted keeps
+/// C Q / (1 + 2 C Q) rho from a seed; with a coarser C that is not proved.
 constexpr double seed_radius = 0.7;
 
 /// Where refinement gave up the triangles make no closed surface, and none is glued to another.

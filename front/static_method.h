@@ -14,8 +14,9 @@
 namespace morskin::front {
 
 /// Seeds at critical points, each with two more beside it where there is room: a triangle whose
-/// surface ball stays empty and small enough for [U], so that every component of the skin keeps a
-/// facet from the start, and no refinement is needed for it to be found.
+/// surface ball is small enough for [U] and, with C Q below 0.214, stays empty, so that every
+/// component of the skin keeps a facet from the start, and no refinement is needed for it to be
+/// found. With a coarser C that is not proved (papers/5-static.md).
 ///
 /// Law:  two seeds, unless of one triangle, are farther apart than 0.9 C Q times the larger of
 ///       their length scales, which meets [L] where Q^2 > 2.3. A triangle's own edges shrink when
