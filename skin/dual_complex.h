@@ -3,7 +3,7 @@
 /// The dual complex K of the weighted points: the simplices of the regular triangulation whose dual
 /// cells meet the union of the balls (the alpha complex at level 0). The skin's body is homotopy
 /// equivalent to it, so it gives the topology of the skin without any mesh. All signs are exact.
-/// Source: Edelsbrunner, Skin surfaces (1999).
+/// Source: Edelsbrunner, Deformable smooth surface design (1999).
 
 #include <array>
 #include <cstdint>
