@@ -117,7 +117,8 @@ TubeProof prove_quickly(const Corners& corners, const TriangleBounds& triangle,
   return {upright - doubt > longer_side, std::isfinite(path), path};
 }
 
-/// Too big for the tube of a ball, where |G| = R^2 and |N|^2 = rho^2 - R^2 at the circumcentre.
+/// Not worth cutting up: no triangle on a ball is so big, where |N|^2 = rho^2 - R^2 at the
+/// circumcentre.
 bool is_hopeless(const Corners& corners, double R) { return !(R < min_length_scale(corners)); }
 
 /// The proof by pieces.
