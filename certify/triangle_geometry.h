@@ -71,7 +71,7 @@ inline AngleRange angle_range(const Point& a, const Point& b, const Point& c) {
 struct SurfaceBall {
   Point centre;
   double squared_radius;
-  bool is_exact;  ///< to rounding; otherwise one Newton step in the patch of a vertex
+  bool is_exact;  ///< whether the centre is on the skin to rounding
 
   /// Depth of p inside, Angstrom^2: negative outside.
   double intrusion(const Point& p) const { return squared_radius - (p - centre).squaredNorm(); }
