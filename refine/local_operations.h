@@ -4,8 +4,9 @@
 /// others work on the rest: edge flips, contraction, insertion.
 ///
 /// Contraction deletes one end of the edge and never moves a vertex, insertion takes the centre of
-/// the triangle's surface ball. So the number of pairs closer than [L] allows never grows, as long
-/// as Q^2 > 2 + 4 C Q, and the process ends (papers/4.3-local-refinement.md).
+/// the triangle's surface ball. So the number of pairs closer than [L] allows never grows and the
+/// process ends, as long as Q^2 > 2 + 4 C Q and balls are empty of all vertices; here they are of
+/// neighbours, and there are limits (papers/4.3-local-refinement.md).
 
 #include <array>
 #include <vector>
