@@ -113,7 +113,7 @@ LESSONS = {
             "How far below a saddle at a waist are the two branches of the level curve one edge e "
             "apart? To leading order, from rho and e.", "rho e", lambda rho, e: e * e / (8 * rho),
             [(1, 0.1), (2, 0.1), (0.5, 0.04)],
-            {"e^2/(2*rho)": "The branches stand at y and at -y.",
+            {"e^2/(2*rho)": "The branches stand at x and at -x.",
              "e^2/(4*rho)": "Each branch is half an edge away, and that is squared.",
              "e/(8*rho)": "The skin falls off with the square of the distance."})},
     7: {
