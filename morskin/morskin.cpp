@@ -267,14 +267,14 @@ SkinMesh Skin::mesh(const MeshOptions& options, const RunOptions& run) const {
       [&] { return SkinMesh(*this, make_mesh(prepared_->skin, inside(options), inside(run))); });
 }
 
-SkinMesh::SkinMesh(Skin skin, MeshResult made)
-    : skin_(std::move(skin)),
-      mesh_(outside(std::move(made.mesh))),
-      sizing_{.C = made.sizing.C,
-              .Q = made.sizing.Q,
-              .max_length_scale = made.sizing.largest_length_scale},
-      certificate_(outside(made.certificate)) {
-  for (const Fallback& f : made.fallbacks) fallbacks_.push_back(in_words(f));
+SkinMesh::SkinMesh(Skin skin, MeshResult made) : skin_(std::move(skin)) {
+  const certify::Sizing& sizing = made.sizing;
+  Made result{outside(std::move(made.mesh)),
+              {.C = sizing.C, .Q = sizing.Q, .max_length_scale = sizing.largest_length_scale},
+              outside(made.certificate),
+              {}};
+  for (const Fallback& f : made.fallbacks) result.fallbacks.push_back(in_words(f));
+  made_ = std::make_shared<const Made>(std::move(result));
 }
 
 Certificate Skin::certify(const TriangleMesh& mesh, const MeshOptions& options,

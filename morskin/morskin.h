@@ -246,19 +246,22 @@ class Skin {
   std::shared_ptr<const Prepared> prepared_;
 };
 
-/// A mesh of a skin, together with the skin. One that was moved from has lost its triangles: it may
-/// be assigned to or destroyed, no more.
+/// A mesh of a skin, together with the skin; copies share both.
 class SkinMesh {
  public:
+  // A move is a copy, so that a mesh that was moved from is one still.
+  SkinMesh(const SkinMesh&) = default;
+  SkinMesh& operator=(const SkinMesh&) = default;
+
   const Skin& skin() const { return skin_; }
-  const TriangleMesh& triangles() const { return mesh_; }
-  const Certificate& certificate() const { return certificate_; }
+  const TriangleMesh& triangles() const { return made_->triangles; }
+  const Certificate& certificate() const { return made_->certificate; }
   /// What took the place of parts that were not certified at first, in words; empty in a good run.
-  const std::vector<std::string>& fallbacks() const { return fallbacks_; }
+  const std::vector<std::string>& fallbacks() const { return made_->fallbacks; }
   /// The skin at every vertex.
-  std::vector<SkinPoint> points() const { return skin_.points(mesh_); }
+  std::vector<SkinPoint> points() const { return skin_.points(made_->triangles); }
   /// C, Q and max_length_scale that it was made with, as Skin::certify takes them.
-  MeshOptions sizing() const { return sizing_; }
+  MeshOptions sizing() const { return made_->sizing; }
 
   /// Writes as write_mesh does. A mesh that is not certified gets the ending .unverified.
   /// @param vertex_data  what PLY, VTU, NPZ, MSH and then GLB too hold beside: "normal",
@@ -276,11 +279,14 @@ class SkinMesh {
   friend Features features(const std::filesystem::path&, const FeatureOptions&, const RunOptions&);
   SkinMesh(Skin skin, MeshResult made);
 
+  struct Made {
+    TriangleMesh triangles;
+    MeshOptions sizing;
+    Certificate certificate;
+    std::vector<std::string> fallbacks;
+  };
   Skin skin_;
-  TriangleMesh mesh_;
-  MeshOptions sizing_;
-  Certificate certificate_;
-  std::vector<std::string> fallbacks_;
+  std::shared_ptr<const Made> made_;
 };
 
 }  // namespace morskin

@@ -194,8 +194,8 @@ std::filesystem::path SkinMesh::write(const std::filesystem::path& file,
   const Run steps = inside(run);
   const auto work = [&] {
     std::filesystem::path name = file;
-    if (!certificate_.certified) name += ".unverified";
-    const geometry::IndexedMesh mesh = inside(mesh_);
+    if (!certificate().certified) name += ".unverified";
+    const geometry::IndexedMesh mesh = inside(triangles());
     const std::optional<geometry::MeshFormat> known = geometry::mesh_format_of(file);
     const bool has_normals =
         known == geometry::MeshFormat::Npz || known == geometry::MeshFormat::Glb;

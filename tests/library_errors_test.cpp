@@ -215,6 +215,13 @@ TEST_CASE("values that make no sense are refused, each with its kind") {
   CHECK(kind_of([&] { skin.certify({{{0, 0, 0}}, {{0, 1, 2}}}); }) == Kind::Refused);
 }
 
+TEST_CASE("a mesh that was moved from is one still, and is not written without triangles") {
+  SkinMesh mesh = Skin(three_atoms, balls).mesh({.C = 0.3});
+  const SkinMesh moved = std::move(mesh);
+  CHECK(mesh.triangles().triangles.size() == moved.triangles().triangles.size());
+  CHECK(mesh.certificate().certified);
+}
+
 TEST_CASE("a skin that was moved from is one still") {
   Skin skin(three_atoms, balls);
   const Skin moved = std::move(skin);
