@@ -10,21 +10,21 @@ namespace morskin::geometry {
 
 namespace {
 
-/// Signals to the process are for the threads that others have started: one of these that takes
-/// one would take it while all of them block it.
+/// The program's own threads block signals where these would interrupt a write. A thread of the
+/// pool must not take such a signal in their place, so it blocks all but those of its own faults.
 void block_signals() {
   sigset_t signals;
   sigfillset(&signals);
-  for (const int of_this_thread : {SIGSEGV, SIGBUS, SIGFPE, SIGILL}) {
-    sigdelset(&signals, of_this_thread);
+  for (const int fault : {SIGSEGV, SIGBUS, SIGFPE, SIGILL}) {
+    sigdelset(&signals, fault);
   }
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
 }
 
-// Never destroyed: its threads wait until the process ends, whatever ends before.
+// Never destroyed: static objects may still use it while the process ends.
 ThreadPool* pool_of_process = new ThreadPool;
 
-// The threads of the process that forked are not in the new one.
+// A forked process has only the thread that forked.
 [[maybe_unused]] const int registered =
     pthread_atfork(nullptr, nullptr, [] { pool_of_process = new ThreadPool; });
 

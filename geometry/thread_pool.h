@@ -19,9 +19,9 @@ class ThreadPool {
   ThreadPool& operator=(const ThreadPool&) = delete;
   ~ThreadPool();
 
-  /// Calls work() here and, at the same time, in up to `others` of its threads; in fewer if the
-  /// system starts no more. Comes back when all that have begun are done; who has not begun when
-  /// the call here is done does not begin.
+  /// Calls work() in this thread and, at the same time, in up to `others` threads of the pool; in
+  /// fewer if the system starts no more. Returns when every call that has begun is done. A thread
+  /// that has not begun by the time this one is done is neither waited for nor used.
   /// @param work  must not throw
   void work_together(std::size_t others, const std::function<void()>& work);
 
