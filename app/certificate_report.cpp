@@ -84,14 +84,25 @@ std::string extent_text(double area, double volume, bool is_closed) {
                             (is_closed ? ", volume " + brief(volume, 6) + " A^3" : ""));
 }
 
+namespace {
+
+/// What a certificate asks of angles: those claimed, or what [L] and [U] imply. Where [L] is broken
+/// and the angles are known all the same it goes by these.
+double angle_bound_deg(const Certificate& c, const certify::Sizing& sizing) {
+  if (c.claimed_angle_deg > 0) return c.claimed_angle_deg;
+  const bool is_known = c.proved_angle_deg() >= certify::guaranteed_angle_deg;
+  return c.violations_L > 0 && is_known ? certify::guaranteed_angle_deg : sizing.angle_bound_deg();
+}
+
+}  // namespace
+
 std::string measures_text(const Certificate& c, const certify::Sizing& sizing) {
   std::string text = extent_text(c.area, c.volume, c.holds(certify::Claim::Manifold)) +
                      line("mesh", counted(c.triangles, "triangle", "triangles") + ", " +
                                       counted(c.vertices, "vertex", "vertices"));
   if (c.triangles == 0) return text;
-  const double bound = c.claimed_angle_deg > 0 ? c.claimed_angle_deg : sizing.angle_bound_deg();
   return text + line("angles", angles_text(c.min_angle_deg, c.max_angle_deg) + " (bound " +
-                                   brief(bound) + ")");
+                                   brief(angle_bound_deg(c, sizing)) + ")");
 }
 
 namespace {

@@ -121,6 +121,13 @@ class Quality(CommandTest):
         self.assertEqual(made["edge_length"], 0.6)
         self.assertNotIn("edge_length", self.check("m.off", "--against", self.ring, "-C", "0.4"))
 
+    def test_check_tells_the_bound_on_angles_that_its_certificate_goes_by(self):
+        self.run_morskin("mesh", self.ring, "-o", "m.ply", "-q")
+        for words, bound in (((), "21.55"), (("-C", "0.12", "-Q", "1.2"), "30")):
+            said = self.run_morskin("check", "m.ply", "--against", self.ring, *words).stdout
+            self.assertIn(f"(bound {bound})\n".encode(), said)
+            self.assertEqual(b"  no   [L]" in said, bound == "30")
+
     def test_of_no_triangle_there_is_no_radius_ratio_and_of_a_flat_one_it_is_0(self):
         self.input("points.off", "OFF\n1 0 0\n1 2 3\n")
         quality = self.check("points.off", code=5)["quality"]
