@@ -196,6 +196,9 @@ TEST_CASE(
   for (const std::string end : {"$EndNodes\n", "$EndElements\n"}) {
     check_refused(replaced(text, end, ""), "a.msh", "ends too early");
   }
+  const std::string block = "$Elements\n1 4 1 4\n";
+  check_refused(replaced(text, block + "2 1 2", block + "1 1 2"), "a.msh", "have the dimension 1");
+  check_refused(replaced(text, block + "2 1 2", block + "1 1 3"), "a.msh", "elements of type 3");
   for (const std::string name : {"Nodes", "Elements"}) {
     const std::string head = "$" + name + "\n1 ";
     check_refused(replaced(text, head + "4 1 4", head + "5 1 4"), "a.msh",

@@ -2,6 +2,7 @@
 // and lines are skipped, as are sections other than nodes and elements.
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -14,7 +15,9 @@
 namespace morskin::geometry::mesh_formats {
 namespace {
 
-constexpr std::int64_t triangle = 2, second_order_triangle = 9;  // Gmsh's own numbers
+// Gmsh's own numbers.
+constexpr std::int64_t triangle = 2, second_order_triangle = 9;
+constexpr std::array<std::int64_t, 6> points_and_lines{15, 1, 8, 26, 27, 28};
 
 std::string_view next_line(TextLines& lines) {
   if (!lines.advance()) lines.fail("the file ends too early; write it again");
@@ -107,13 +110,19 @@ void parse_elements(TextLines& lines, const Nodes& nodes, TriangleCollector& mes
   for (std::int64_t block = 0; block < told[0]; ++block) {
     const std::vector<std::int64_t> head = integers(lines, 4);
     const bool is_curved = head[2] == second_order_triangle;
-    if (head[0] >= 2 && !is_curved && head[2] != triangle) {
+    const bool is_read = is_curved || head[2] == triangle;
+    if (!is_read && std::ranges::find(points_and_lines, head[2]) == points_and_lines.end()) {
       lines.fail("elements of type " + std::to_string(head[2]) +
                  " are not read; write triangles, of type 2 or 9");
     }
+    // Some programs go by the type, some by the dimension.
+    if (is_read && head[0] != 2) {
+      lines.fail("triangles have the dimension " + std::to_string(head[0]) +
+                 "; write them as a surface, of dimension 2");
+    }
     for (std::int64_t i = 0; i < head[3]; ++i, ++found) {
       std::string_view fields = next_line(lines);
-      if (head[0] < 2) continue;
+      if (!is_read) continue;
       take_integer(fields, lines);  // its tag
       const auto take_three = [&] {
         TriangleCorners three;
