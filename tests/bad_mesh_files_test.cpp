@@ -101,6 +101,15 @@ TEST_CASE("a carriage return alone, which ends a line for some programs only, is
   CHECK(parse_mesh(obj + "# at the end\r\n", "a.obj").positions.size() == 3);
 }
 
+TEST_CASE("a comment or a name of an OBJ file that ends in a backslash is turned down") {
+  const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  for (const std::string start : {"# a\\b", "g a ", "f 1 2 3 # a"}) {
+    check_refused(obj + start + "\\\nf 1 2 3\n", "a.obj", "a.obj:5: a backslash ends a comment");
+  }
+  check_refused(obj + "f 1 \\\n2 3 # a \\\nf 1 2 3\n", "a.obj", "a.obj:6: a backslash");
+  CHECK(complaint(obj + "# a\\", "a.obj").empty());
+}
+
 TEST_CASE("a bad PLY mesh is turned down with a reason") {
   const std::string start = "ply\nformat ascii 1.0\nelement vertex ";
   const std::string middle = "\nproperty float x\nproperty float y\nproperty float z\n";

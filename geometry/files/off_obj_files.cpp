@@ -68,12 +68,22 @@ void check_obj_weight(std::string_view fields, const TextLines& lines) {
              ", which programs read in two ways; write it without");
 }
 
-/// The line with those that continue it, joined in `buffer` if there are any.
+/// The line with those that continue it, joined in `buffer` if there are any. Programs agree on it
+/// in vertices and faces only: the line after a comment or a name may be a face to some.
 std::string_view joined_line(TextLines& lines, std::string& buffer) {
   std::string_view line = lines.line();
   if (!line.ends_with('\\')) return line;
+  std::string_view fields = line;
+  const std::string_view word = take_field(fields);
+  const bool is_read = word == "v" || word == "f";
   buffer.assign(line.substr(0, line.size() - 1));
-  while (line.ends_with('\\') && lines.advance()) {
+  while (line.ends_with('\\') && !lines.rest().empty()) {
+    if (!is_read || line.find('#') != std::string_view::npos) {
+      lines.fail(
+          "a backslash ends a comment, or a line that is no vertex or face, and only some programs "
+          "join it with the next; take it out");
+    }
+    lines.advance();
     line = lines.line();
     buffer.append(line.substr(0, line.size() - (line.ends_with('\\') ? 1 : 0)));
   }
