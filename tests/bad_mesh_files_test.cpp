@@ -123,6 +123,10 @@ TEST_CASE("a bad PLY mesh is turned down with a reason") {
   check_refused(start + "1" + middle + faces + "0 0 x\n3 0 0 0\n", "a.ply",
                 "a.ply:10: \"x\" is no number");
   check_refused(start + "1" + middle + "end_header\n0 0\n", "a.ply", "too");
+  check_refused(start + "1" + replaced(middle, "float", "int") + faces + "0.5 0 0\n3 0 0 0\n",
+                "a.ply", "a.ply:10: \"0.5\" is no number of its property's type");
+  check_refused(start + "1" + middle + replaced(faces, " int", " uchar") + "0 0 0\n3 0 0 256\n",
+                "a.ply", "\"256\" is no number of its property's type");
   check_refused(start + "1\nproperty float x\nend_header\n0\n", "a.ply", "x, y and z");
   check_refused(start + "1" + middle + "end_header\n0 1e39 0\n", "a.ply", "not finite");
   check_refused(

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -31,6 +33,30 @@ double number_at(const char* bytes, bool is_swapped) {
   Number number;
   std::memcpy(&number, copy, sizeof number);
   return static_cast<double>(number);
+}
+
+/// Whether a type can hold a number; floats can, rounded.
+inline bool holds(PlyScalar type, double value) {
+  const auto is_whole_in = [&](auto some) {
+    using Limits = std::numeric_limits<decltype(some)>;
+    return value >= Limits::min() && value <= Limits::max() && value == std::floor(value);
+  };
+  switch (type) {
+    case PlyScalar::Int8:
+      return is_whole_in(std::int8_t{});
+    case PlyScalar::UInt8:
+      return is_whole_in(std::uint8_t{});
+    case PlyScalar::Int16:
+      return is_whole_in(std::int16_t{});
+    case PlyScalar::UInt16:
+      return is_whole_in(std::uint16_t{});
+    case PlyScalar::Int32:
+      return is_whole_in(std::int32_t{});
+    case PlyScalar::UInt32:
+      return is_whole_in(std::uint32_t{});
+    default:
+      return true;
+  }
 }
 
 /// Numbers as bytes.
@@ -112,6 +138,9 @@ class PlyAsciiBody {
     }
     const std::optional<double> value = parse_double(field);
     if (!value) lines_.fail(quoted(field) + " is no number; write the mesh again");
+    if (!holds(type, *value)) {
+      lines_.fail(quoted(field) + " is no number of its property's type; write the mesh again");
+    }
     return type == PlyScalar::Float ? in_single_precision(*value) : *value;
   }
 
