@@ -150,6 +150,20 @@ TEST_CASE("numbers in text are floats where PLY or VTU says so, as for other pro
   CHECK(vtu("Float64").positions == std::vector{doubles});
 }
 
+TEST_CASE("a byte in the text of a VTU file is at most 255, for VTK cuts others down to one") {
+  const auto mesh = [](const std::string& largest) {
+    const std::string array = "<DataArray format=\"ascii\" type=\"UInt8\"";
+    return parse_mesh("<VTKFile type=\"UnstructuredGrid\"><Points>" + array + ">0 1 " + largest +
+                          "</DataArray></Points><Cells>" + array + " Name=\"connectivity\"/>" +
+                          array + " Name=\"offsets\"/>" + array +
+                          " Name=\"types\"/></Cells></VTKFile>",
+                      "mesh.vtu");
+  };
+  CHECK(mesh("255").positions == std::vector{Point(0, 1, 255)});
+  CHECK_THROWS_WITH_AS(mesh("256"), doctest::Contains("has \"256\" in the place of a number"),
+                       UnreadableInput);
+}
+
 TEST_CASE("a PLY file whose triangles turn into polygons midway is read") {
   const IndexedMesh square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{{0, 1, 2}}}};
   std::string bytes = serialized(square, MeshFormat::PlyBinary);

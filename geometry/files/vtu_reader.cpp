@@ -2,6 +2,7 @@
 // without compression or as text. Triangles have three nodes, or six where they are curved.
 
 #include <array>
+#include <cfloat>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
@@ -165,11 +166,14 @@ class Reader {
   }
   std::vector<double> ascii_array(const XmlTag& tag) const {
     std::vector<double> numbers;
-    const bool is_single = value(tag, "type") == "Float32";
+    const std::string_view type = value(tag, "type");
+    const bool is_single = type == "Float32";
+    // VTK keeps the last eight bits of more.
+    const double largest = type == "Int8" || type == "UInt8" ? 255 : DBL_MAX;
     std::string_view rest = tag.text;
     for (std::string_view field = take_field(rest); !field.empty(); field = take_field(rest)) {
       const std::optional<double> number = parse_double(field);
-      if (!number || !std::isfinite(*number)) {
+      if (!number || !(std::abs(*number) <= largest)) {
         fail(source_, "has " + quoted(field) + " in the place of a number; write it again");
       }
       numbers.push_back(is_single ? in_single_precision(*number) : *number);
