@@ -1,17 +1,15 @@
 #include "app/rounded_outputs.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "app/output_names.h"
-#include "certify/triangle_geometry.h"
 #include "geometry/error.h"
 #include "geometry/files/mesh_files.h"
+#include "morskin/rounded_mesh.h"
 
 namespace morskin::app {
 namespace {
@@ -25,24 +23,6 @@ std::optional<IndexedMesh> stored(const IndexedMesh& mesh, MeshFormat format,
   if (is_single(format)) return geometry::in_single_precision(mesh);
   if (format != MeshFormat::MsmsVertices || !decimals) return std::nullopt;
   return geometry::with_decimals(mesh, *decimals);
-}
-
-/// How many triangles are turned over, have no area left, or lose more of their smallest angle.
-std::size_t count_spoilt(const IndexedMesh& mesh, const IndexedMesh& rounded,
-                         double most_lost_deg) {
-  std::size_t count = 0;
-  for (const auto& t : mesh.triangles) {
-    const auto normal = [&](const std::vector<geometry::Point>& at) -> geometry::Vector {
-      return (at[t[1]] - at[t[0]]).cross(at[t[2]] - at[t[0]]);
-    };
-    const auto smallest_deg = [&](const std::vector<geometry::Point>& at) {
-      return certify::angle_range(at[t[0]], at[t[1]], at[t[2]]).smallest_deg;
-    };
-    const double lost_deg = smallest_deg(mesh.positions) - smallest_deg(rounded.positions);
-    const double along = normal(mesh.positions).dot(normal(rounded.positions));
-    if (!(along > 0 && lost_deg < most_lost_deg)) ++count;
-  }
-  return count;
 }
 
 /// Who counts columns would read wrong numbers where one is wider than they are.
@@ -64,14 +44,15 @@ void check_columns(const IndexedMesh& rounded, const std::filesystem::path& outp
 
 void check_rounded_outputs(const IndexedMesh& mesh, const MeshArguments& arguments) {
   // Who asks for decimals gets what they make of the angles, and the file says that it is rounded.
-  constexpr double any = 180, few = 5;
+  constexpr double any = 180;
   for (const std::filesystem::path& output : arguments.outputs) {
     const MeshFormat format = format_of(output);
     const auto rounded = stored(mesh, format, arguments.decimals);
     if (!rounded) continue;
     const bool is_msms_file = format == MeshFormat::MsmsVertices;
     if (is_msms_file) check_columns(*rounded, output);
-    const std::size_t spoilt = count_spoilt(mesh, *rounded, is_msms_file ? any : few);
+    const std::size_t spoilt = morskin::count_spoilt(
+        mesh, *rounded, is_msms_file ? any : morskin::single_precision_loss_deg);
     if (spoilt == 0) continue;
     const std::string digits = is_msms_file
                                    ? "with --decimals " + std::to_string(*arguments.decimals)

@@ -268,8 +268,9 @@ class SkinMesh {
   ///                     "curvature", "directions", "scale", "atom", "shares", "component",
   ///                     "patch"; or "all". papers/vertex-data.md describes them
   /// @return the file's name
-  /// @throws Error  Unwritable; Refused: data of another name, or for a format that holds none;
-  ///                Stopped: nothing is written then
+  /// @throws Error  Unwritable; Refused: data of another name, or for a format that holds none, or
+  ///                triangles that single precision spoils, of STL and GLB; Stopped: nothing is
+  ///                written then
   std::filesystem::path write(const std::filesystem::path& file,
                               std::span<const std::string> vertex_data = {},
                               const RunOptions& run = {}) const;

@@ -16,6 +16,7 @@
 #include "morse/simplification.h"
 #include "morskin/boundary.h"
 #include "morskin/mesh_attributes.h"
+#include "morskin/rounded_mesh.h"
 #include "morskin/traced_complex.h"
 #include "skin/atom_shares.h"
 #include "skin/curvatures.h"
@@ -142,6 +143,18 @@ bool is_near(const skin::SkinSurface& skin, const surface::SurfacePoint& x) {
   return certify::max_flow_path(x.length_scale, g) <= most * x.length_scale;
 }
 
+/// @throws geometry::RefusedInput  the mesh is spoilt in single precision
+void require_exact_enough(const geometry::IndexedMesh& mesh, const std::filesystem::path& file) {
+  const std::size_t spoilt =
+      count_spoilt(mesh, geometry::in_single_precision(mesh), single_precision_loss_deg);
+  if (spoilt == 0) return;
+  throw geometry::RefusedInput(
+      file.string() + ": in single precision, all that the format has, " + std::to_string(spoilt) +
+      " of " + std::to_string(mesh.triangles.size()) +
+      " triangles would be turned over or needles; write another format, or move the atoms nearer "
+      "to the origin");
+}
+
 std::optional<morse::MorseFunction> height_along(const std::optional<Point>& direction) {
   if (!direction) return std::nullopt;
   return morse::MorseFunction::height_along(inside(*direction));
@@ -199,6 +212,8 @@ std::filesystem::path SkinMesh::write(const std::filesystem::path& file,
     const std::optional<geometry::MeshFormat> known = geometry::mesh_format_of(file);
     const bool has_normals =
         known == geometry::MeshFormat::Npz || known == geometry::MeshFormat::Glb;
+    const bool is_single = known && geometry::is_single(*known);
+    if (is_single && certificate().certified) require_exact_enough(mesh, file);
     if (vertex_data.empty() && !has_normals) {
       geometry::write_mesh(name, mesh, geometry::plain_format_of(file));
       return name;

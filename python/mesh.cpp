@@ -160,7 +160,8 @@ void bind_mesh(py::module_& module) {
          "vertex_data  what PLY, VTU, GLB, NPZ and MSH hold beside the mesh: \"all\", or some of "
          "\"normal\",\n             \"curvature\", \"directions\", \"scale\", \"atom\", "
          "\"shares\", \"component\", \"patch\"\n\n"
-         "Raises UnwritableOutput; RefusedInput for other names, or a format that holds none.");
+         "Raises UnwritableOutput; RefusedInput for other names, a format that holds none, or\n"
+         "triangles that single precision spoils, of STL and GLB.");
   define(mesh, "to_meshio", exporter("to_meshio"),
          "to_meshio() -> meshio.Mesh\n\nTriangles, with normals, length_scales, curvatures, atoms "
          "and components as point_data.\nFor Gmsh save() a file .msh. meshio writes Gmsh's files "

@@ -155,6 +155,21 @@ TEST_CASE("a vertex beyond single precision is written to no file that has no mo
   }
 }
 
+TEST_CASE("a certified mesh is written to no file whose single precision spoils its triangles") {
+  const morskin::support::TemporaryFolder folder;
+  const std::vector<Atom> far_atoms{{{9e5, 0, 0}, 1.7}, {{9e5 + 1.4, 0, 0}, 1.7}};
+  const SkinMesh far = Skin(far_atoms, balls).mesh();
+  REQUIRE(far.certificate().certified);
+  for (const char* name : {"a.stl", "a.glb"}) {
+    CAPTURE(name);
+    CHECK(kind_of([&] { far.write(folder / name); }) == Error::Kind::Refused);
+    CHECK(!std::filesystem::exists(folder / name));
+  }
+  CHECK(far.write(folder / "a.ply") == folder / "a.ply");
+  const SkinMesh near = Skin(three_atoms, balls).mesh();
+  CHECK(near.write(folder / "a.stl") == folder / "a.stl");
+}
+
 TEST_CASE("a wrong name of data is refused beside all, before it or behind") {
   const morskin::support::TemporaryFolder folder;
   const SkinMesh mesh = Skin(three_atoms, balls).mesh({.C = 0.3});
