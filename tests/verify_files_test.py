@@ -122,6 +122,16 @@ class VerifyFiles(unittest.TestCase):
         self.refused([json.dumps(right | change) for change in wrong], files.read_certificate,
                      5, 4, 4)
 
+    def test_an_empty_mesh_is_not_proved_and_its_certificate_not_unreadable(self):
+        names = [str(self.path.with_name(name)) for name in ("a.xyzw", "a.off", "a.json")]
+        witness = {"format": "morskin-certificate-1", "balls": 1, "vertices": 0, "triangles": 0,
+                   "simplices": [[0]], "vertex_atoms": [], "component_vertices": [],
+                   "dropped_voids": 0}
+        for name, text in zip(names, ("0 0 0 2\n", "OFF\n0 0 0\n", json.dumps(witness))):
+            Path(name).write_text(text, encoding="utf-8")
+        report = verify.verify(names)
+        self.assertTrue(report["reason"].startswith("manifold: "), report["reason"])
+
     def test_a_list_of_names_that_is_no_text_or_names_itself_is_a_wrong_argument(self):
         for content in (b"balls\xff\nmesh\ncertificate\n", f"@{self.path}\n".encode()):
             self.path.write_bytes(content)

@@ -66,7 +66,8 @@ def read_certificate(path, balls, vertices, triangles):
     if head != ["morskin-certificate-1", balls, vertices, triangles]:
         raise ValueError(f"{path}: not the certificate of these balls and this mesh")
     simplices = tuple(tuple(int(i) for i in s) for s in witness["simplices"])
-    atoms = np.array([(row * 4)[:4] for row in witness["vertex_atoms"]], dtype=np.int64)
+    rows = [(row * 4)[:4] for row in witness["vertex_atoms"]]
+    atoms = np.array(rows, dtype=np.int64).reshape(len(rows), 4)
     chosen = [int(v) for v in witness["component_vertices"]]
     indices = [i for s in simplices for i in s] + [*atoms.min(1), *atoms.max(1)]
     if not (atoms.shape == (vertices, 4) and all(0 <= i < balls for i in indices) and
