@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What is each departure of Algorithm 1 from the print worth? Meshes 11 bundled molecules (model
+"""What is each departure from the paper's Algorithm 1 worth? Meshes 11 bundled molecules (model
 paper) and 100 random sets of balls from one front, unsmoothed, with departures taken back to what
 the paper prints: none, each alone, all but one, all.
 

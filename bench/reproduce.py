@@ -8,7 +8,7 @@ Into the results folder go
   scaling.csv       time against triangles over the corpus and over finer meshes of one molecule
   angles.csv        how many angles there are of each degree, by molecule and method
   agreement.csv     whether the methods agree on the topology of small sets of balls and molecules
-  ablation.tsv      what each departure of Algorithm 1 from the print is worth (bench/ablation.py)
+  ablation.tsv      what each departure from the paper's Algorithm 1 is worth (bench/ablation.py)
   environment.json  machine, compiler, flags, load at start and end, by part
   inputs.sha256     the inputs, so that it can be seen what was measured
 

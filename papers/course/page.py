@@ -22,7 +22,7 @@ COURSE_FIRST_WORDS = (*RUNNABLE, *INSTALLED, "make ")
 # Every page of the course has these, in this order.
 PARTS = ["## The claim", "## The picture", "## The formula", "## Formula, code, test",
          "## The code", "## Exercises"]
-# And one of these, on what the print does not say.
+# And one of these, on what the paper does not say.
 OPEN_PARTS = ["## What the paper leaves open", "## What was chosen", "## What was not, and why"]
 KINDS = ["Predict", "Run", "Explain"]
 
