@@ -35,9 +35,10 @@ std::string missed_size(const MeshReport& report) {
 }
 
 std::string bent_text(const morskin::BentPart& bent) {
+  const auto lying_there = static_cast<std::size_t>(std::llround(bent.triangles));
   return line("bent", brief(100 * bent.area_share, 3) +
                           "% of the area bends too much for edges so long: " +
-                          grouped(std::llround(bent.triangles)) + " triangles, " +
+                          counted(lying_there, "triangle", "triangles") + ", " +
                           brief(bent.triangles / bent.forced_triangles) + " times the " +
                           grouped(std::llround(bent.forced_triangles)) +
                           " that R <= 0.68 length scales forces");
@@ -80,7 +81,9 @@ std::string sizes_text(const MeshReport& report) {
   if (const std::string missed = missed_size(report); !missed.empty()) {
     text += line("missed", missed);
   }
-  if (report.bent && report.bent->forced_triangles > 0) text += bent_text(*report.bent);
+  if (report.bent && std::llround(report.bent->forced_triangles) > 0) {
+    text += bent_text(*report.bent);
+  }
   if (report.grading) text += grading_text(*report.grading);
   if (report.curved) text += curved_text(*report.curved);
   return text;

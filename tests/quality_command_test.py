@@ -175,6 +175,12 @@ class Quality(CommandTest):
             with self.subTest(wrong=wrong):
                 self.assertIn(b"--grading", self.run_morskin(*words, *wrong, code=2).stderr)
 
+    def test_what_bends_too_much_is_told_from_one_triangle_on(self):
+        neck = self.input("neck.xyzr", "0 0 0 1.5\n4.1 0 0 1.5\n")
+        words = ("mesh", neck, "-o", "neck.off", "-C", "0.4", "--size")
+        self.assertNotIn(b"  bent  ", self.run_morskin(*words, "0.426").stdout)
+        self.assertIn(b": 1 triangle, ", self.run_morskin(*words, "0.4285").stdout)
+
     def test_no_note_doubts_the_constants_that_come_with_a_size(self):
         words = ("mesh", self.ring, "-o", "ring.ply", "--size", "0.7")
         self.assertEqual(self.run_morskin(*words).stderr, b"")
