@@ -92,8 +92,8 @@ void finish(ViewArguments& view, const Typed& typed) {
 }
 
 void finish(FeaturesArguments& features, const Typed& typed) {
+  finish_features(features);  // names the endings it takes, before mesh names all of its own
   finish(features.mesh, typed);
-  finish_features(features);
 }
 
 void finish(const CheckArguments& check, const Typed& typed) {

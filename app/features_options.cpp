@@ -61,7 +61,7 @@ void finish_features(FeaturesArguments& features) {
   MeshArguments& mesh = features.mesh;
   for (const std::filesystem::path& path : mesh.outputs) {
     const std::string ending = lower_extension(path);
-    if (!is_special(path) && ending != ".npz" && ending != ".ply") {
+    if (!path.empty() && !is_special(path) && ending != ".npz" && ending != ".ply") {
       throw UsageError(path.string() + ": the ending must be .npz or .ply");
     }
   }

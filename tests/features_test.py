@@ -200,9 +200,12 @@ class Features(CommandTest):
                          (self.folder / "m.ply").read_bytes())
 
     def test_other_endings_and_bad_densities_are_refused_and_nothing_is_left(self):
-        for words in (["-o", "m.off"], ["-o", "m.vtu"], ["-o", "m.npz", "--density", "0"],
-                      ["-o", "m.npz", "-o", "m.npz"]):
+        for words in (["-o", "m.npz", "--density", "0"], ["-o", "m.npz", "-o", "m.npz"],
+                      ["-o", ""]):
             self.run_morskin("features", self.ring, *words, code=2)
+        for name in ("m.off", "m.vtu", "m", "m.doc", "m.vert"):
+            done = self.run_morskin("features", self.ring, "-o", name, code=2)
+            self.assertIn(name.encode() + b": the ending must be .npz or .ply", done.stderr)
         self.assertEqual(self.names(), [])
 
     def test_help_tells_the_defaults_and_what_is_not_there(self):
