@@ -132,20 +132,21 @@ constexpr const char* mesh_text = R"(mesh(*, C=None, density=None, ...) -> Mesh
 
 Meshes the skin and certifies the mesh.
 
-C                  how closely the mesh follows the skin: edges grow with it. None: 0.08, or 0.4,
-                   as coarse as it gets, with one of the three sizes below
+C                  how closely the mesh follows the skin: edges grow with it. None: 0.08; with
+                   edge_length, density or triangles 0.4, as coarse as it gets
 Q                  quality, above 1; None: the one that goes with C
 max_length_scale   a larger length scale counts as this one, Angstrom
-edge_length        in its place, at most one of these: the median edge where the skin is flat
-density            enough, Angstrom; vertices per Angstrom^2; triangles in all. Reached as far as
-triangles          C allows
+edge_length        the median edge where the skin is flat enough, Angstrom
+density            vertices per Angstrom^2
+triangles          in all. Of these three sizes at most one, in place of max_length_scale; it is
+                   reached as far as C allows
 grading            by how much edges may grow for each Angstrom, at least 0.01
-angle_goal_deg     no angle is smaller where that is reached, degrees
+angle_goal_deg     the smallest angle aimed at, degrees; None: 35, or 30 with C above 0.2
 method             "sweep" or "static"; None: chosen
-fronts             how many subdomains are swept each for itself, a power of two; 1: from below with
+fronts             how many subdomains are swept separately, a power of two; 1: from below with
                    one front, the paper's Algorithm 1; None: as many as the size is worth
 direction          (3,): to sweep along
-allow_uncertified  return a mesh that is not certified
+allow_uncertified  return a mesh that is not certified, rather than raise NotCertified
 threads            at most; None: as many as the machine has. The mesh does not depend on it
 progress           called now and then with the stage's name and the share of it that is done, 0 to
                    1 or None; what it raises ends the run, as Ctrl-C does
@@ -204,7 +205,7 @@ void bind_skin(py::module_& module) {
       "\"ses-like\" r + 0.25, or \"paper\"\n"
       "probe             Angstrom\n"
       "drop_voids_below  voids of a volume proved to be below this, Angstrom^3, are "
-      "left out\n"
+      "left out; inf: all\n"
       "threads, progress as of mesh()\n\n"
       "Raises RefusedInput, with `atoms` where it is about some.");
   define_init(skin, &make_skin, arg("positions"), arg("radii"), arg("model") = "vdw", py::kw_only(),
