@@ -94,6 +94,14 @@ def test_what_is_to_be_run_is_judged_by_running_it():
         assert e.reply(f"{right}", MORSKIN) is None and e.reply(f"{right + 1}", MORSKIN), where
 
 
+def test_the_reply_to_a_wrong_answer_of_a_run_has_the_command_as_it_is_typed():
+    for where, e in all_of(Run):
+        program, _, molecule, *_ = words = e.typed().split()
+        assert program == "build/morskin" and (ROOT / molecule).is_file(), where
+        assert ("-o" in words) == (words[1] != "info"), where
+        assert e.reply("-1", MORSKIN).endswith(f"The command is: {e.typed()}"), where
+
+
 def asked(*words):
     """(exit code, what is printed) of papers/lessons/exercises.py."""
     done = subprocess.run([sys.executable, ROOT / "papers" / "lessons" / "exercises.py", *words],

@@ -160,4 +160,10 @@ class Run:
         given = number_in(text)
         if given == self.right(command):
             return None
-        return f"{given:g} is not it. The command is: morskin {self.words}"
+        return f"{given:g} is not it. The command is: {self.typed()}"
+
+    def typed(self):
+        """The command as it is typed in the root folder."""
+        verb, name, *options = self.words.split()
+        output = {"mesh": ["-o", "mesh.ply"], "morse": ["-o", "complex.json"]}.get(verb, [])
+        return " ".join(["build/morskin", verb, f"bench/molecules/{name}", *options, *output])

@@ -64,10 +64,10 @@ void judge(const std::optional<T>& answer, const IsRight& is_right,
   }
 }
 
-/// Judges what the command reports; `words` are what has to be typed behind `morskin`.
+/// Judges what the command reports; `words` are what has to be typed behind `build/morskin`.
 inline void judge_run(Count& answer, std::size_t right, const std::string& words) {
   show_unless(*answer == static_cast<long>(right),
-              text_of(*answer) + " is not it. The command is: morskin " + words);
+              text_of(*answer) + " is not it. The command is: build/morskin " + words);
 }
 
 /// The cases on which a formula is tried.
