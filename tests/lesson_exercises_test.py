@@ -80,6 +80,11 @@ def test_a_formula_is_arithmetic_and_nothing_else():
         raise AssertionError(f"taken: {text}")
 
 
+def test_to_a_product_without_a_sign_the_error_shows_how_formulas_are_written():
+    code, said = asked("1", "predict", "2 sqrt(2)")
+    assert code == 2 and said.endswith("2 sqrt(2) is no formula; write one as 2*sqrt(w) + d^2\n")
+
+
 def test_a_formula_without_a_value_has_none_whatever_python_calls_that():
     for text in ("sqrt(-1)", "log(0)", "floor(1e400)", "floor(1e400 - 1e400)", "1/0", "sqrt(1, 2)"):
         assert value_or_none(text, {}) is None, text

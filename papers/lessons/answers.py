@@ -55,7 +55,7 @@ def evaluated(text, variables):
     try:
         tree = ast.parse(text.strip().replace("^", "**"), mode="eval")
     except SyntaxError as error:
-        raise NoFormula(f"no formula: {text}") from error
+        raise NoFormula(f"{text} is no formula; write one as 2*sqrt(w) + d^2") from error
     try:
         return value(tree)
     except NoFormula:
