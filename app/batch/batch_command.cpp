@@ -167,7 +167,7 @@ ExitCode batch_command(const BatchArguments& given) {
   BatchSummary done;
   if (const int signal = work(arguments, options, inputs, rows, file, done); signal != 0) {
     std::cerr << "morskin: " << arguments.folder.string() << ": ended by a signal with "
-              << counted(done.made, "row", "rows") << " more; the same command goes on\n";
+              << counted(done.made, "row", "rows") << " more; run it again to resume\n";
     ::raise(signal);
   }
   BatchSummary summary = summarized(inputs, read_rows(arguments.folder));

@@ -103,7 +103,7 @@ void add_batch(CLI::App& app, TypedBatch& batch, Typed& typed) {
   add_progress_option(command, typed);
   command.footer(
       "Exit code 0: every molecule has its row. A row's status is ok, refused, uncertified,\n"
-      "unreadable, limit or failed. After any end the same command goes on where it was.");
+      "unreadable, limit or failed. The same command, run again, resumes where it stopped.");
 }
 
 BatchArguments batch_arguments(const CLI::App& command, const TypedBatch& typed) {

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Meshes many molecules with Dask, a task for each shard. Words behind `--` are options of
-`morskin batch`. After any end the same line goes on where it was."""
+`morskin batch`. The same line resumes, however it ended."""
 
 import argparse
 import subprocess
