@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/nearest_option.h"
+#include "app/output_names.h"
 
 namespace morskin::app {
 namespace {
@@ -77,6 +78,9 @@ std::string complaint(const CLI::App& app, const CLI::Error& error) {
   for (const std::string& word : left_over) {
     const std::optional<std::string> option = nearest_option(app, word);
     if (option) text += "; " + word + " is no option, did you mean " + *option + "?";
+    if (app.got_subcommand("info") && !word.starts_with('-') && names_a_mesh(word)) {
+      text += "; to write it: morskin mesh INPUT -o " + word;
+    }
   }
   return text;
 }

@@ -52,6 +52,13 @@ class Info(CommandTest):
                     taken = self.mesh_json(*words, "-o", "m.ply")["peak_memory_bytes"]
                     self.assertGreater(told["estimated_bytes"], 0.8 * taken)
 
+    def test_of_a_mesh_named_without_its_option_the_error_tells_how_it_is_written(self):
+        for command in ((), ("info",)):
+            done = self.run_morskin(*command, self.ring, "a.ply", code=2)
+            self.assertIn(b"expected: a.ply; to write it: morskin mesh INPUT -o a.ply", done.stderr)
+        done = self.run_morskin("info", self.ring, "--a.ply", code=2)
+        self.assertNotIn(b"to write it", done.stderr)
+
 
 if __name__ == "__main__":
     main()
