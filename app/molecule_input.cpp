@@ -176,7 +176,7 @@ std::string skipped_in_words(const skin::ReadingCounts& counts) {
         std::pair(counts.alternates, " in alternate locations"),
         std::pair(counts.hydrogens, " of hydrogen"), std::pair(counts.zero_radii, " of radius 0"),
         std::pair(counts.unknown, " of unknown element")}) {
-    if (count > 0) words += (words.empty() ? "" : ", ") + std::to_string(count) + what;
+    if (count > 0) words += (words.empty() ? "" : ", ") + grouped(count) + what;
   }
   return words;
 }

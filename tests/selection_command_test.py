@@ -25,6 +25,12 @@ class Selections(CommandTest):
             said = self.run_morskin("mesh", "a.pdb", "-o", "m.ply", *words.split(), code=2).stderr
             self.assertIn(f"morskin: {told}".encode(), said)
 
+    def test_thousands_of_atoms_left_out_are_parted_by_commas_as_those_used_are(self):
+        line = "{}{:5}  O   {} A   1    {:8}   0.000   0.000  1.00  0.00           O\n"
+        waters = "".join(line.format("HETATM", k, "HOH", f"{k}.000") for k in range(1, 1235))
+        self.input("wet.pdb", line.format("ATOM  ", 0, "GLY", "0.000") + waters)
+        self.assertIn(b"left out    1,234 of water\n", self.run_morskin("info", "wet.pdb").stdout)
+
     def test_each_option_leaves_out_what_it_says_and_counts_it(self):
         whole = self.info()
         self.assertEqual((whole["atoms"], whole["skipped"]), (5, 2))
