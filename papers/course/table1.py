@@ -168,7 +168,7 @@ def texts(rows, scaling, agreement):
     yield "README.md", f"{span(by_clock)} thousand certified triangles per second on two cores"
     yield "README.md", readme_table(rows)
     yield "README.md", f"under 10⁻¹¹ Å | {span(speeds)} |"
-    yield "README.md", f"to compare with, and takes {span(grown)} times the sweep's time"
+    yield "README.md", f"serves for comparison, and takes {span(grown)} times the sweep's time"
     one_front = median(rows, "1GRM", "one-front-unsmoothed", "triangles")
     yield "README.md", f"Gramicidin's {one_front:,.0f} triangles take 2.6 MB"
 
