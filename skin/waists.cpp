@@ -1,5 +1,6 @@
 #include "skin/waists.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -8,25 +9,48 @@ namespace morskin::skin {
 
 namespace {
 
+/// Whether a wall lies across an axis; the others lie along it.
+bool is_across(const Wall& wall, const Vector& axis) {
+  constexpr double parallel = 0.999;
+  return std::abs(wall.normal.dot(axis)) >= parallel;
+}
+
 /// How far a cell goes from its orthocentre along an axis, Angstrom; `farthest` where no wall ends
 /// it.
 double reach(const SkinSurface& skin, CellId cell, const Patch& patch, const Vector& axis,
              double farthest) {
-  constexpr double parallel = 0.999;  // walls across the axis; the others lie along it
   double distance = farthest;
   for (const Wall& wall : skin.complex().kept_walls(cell)) {
-    if (wall.normal.dot(axis) < parallel) continue;
+    if (!is_across(wall, axis) || wall.normal.dot(axis) < 0) continue;
     distance = std::min(distance, wall.offset - wall.normal.dot(patch.centre));
   }
   return std::max(distance, 0.0);
 }
 
-/// Whether a point lies in a cell and on no wall of it. A cell without width, of cospherical atoms
-/// such as those of a square's diagonal, has its orthocentre on walls and no piece of the skin.
-bool is_inside(const SkinSurface& skin, const Point& x, CellId cell) {
+/// Whether a point is within all walls of a cell, less a margin.
+bool is_within(const SkinSurface& skin, const Point& x, CellId cell, double margin) {
   return std::ranges::all_of(skin.complex().kept_walls(cell), [&](const Wall& wall) {
-    return wall.normal.dot(x) - wall.offset < -skin.complex().wall_tolerance();
+    return wall.normal.dot(x) - wall.offset < -margin;
   });
+}
+
+/// Whether any of the circle lies in the cell, in which its centre does. Of a narrow cell deep in
+/// the body none may, and then no piece of the skin. The part in the cell is empty, the whole
+/// circle, or ends where a wall along the axis cuts it.
+bool has_circle(const SkinSurface& skin, CellId cell, const Patch& patch, double radius) {
+  const double tolerance = skin.complex().wall_tolerance();
+  bool is_cut = false;
+  for (const Wall& wall : skin.complex().kept_walls(cell)) {
+    const double to_wall = wall.offset - wall.normal.dot(patch.centre);
+    if (is_across(wall, patch.axis) || to_wall >= radius) continue;
+    is_cut = true;
+    const Vector along =
+        std::sqrt((radius - to_wall) * (radius + to_wall)) * patch.axis.cross(wall.normal);
+    const Point middle = patch.centre + to_wall * wall.normal;
+    if (is_within(skin, middle + along, cell, -tolerance)) return true;
+    if (is_within(skin, middle - along, cell, -tolerance)) return true;
+  }
+  return !is_cut;
 }
 
 /// At a distance s from the circle's plane the hyperboloid has rho^2 = c^2 + 2 s^2, and a ring of
@@ -48,8 +72,11 @@ std::vector<Waist> waists(const SkinSurface& skin) {
     const Patch& patch = skin.complex().kept_patch(cell);
     const bool is_tunnel = dimension == 2;
     if (is_tunnel ? patch.half_weight >= 0 : patch.half_weight <= 0) continue;
-    if (!is_inside(skin, patch.centre, cell)) continue;
+    // A cell without width, of cospherical atoms such as those of a square's diagonal, has its
+    // orthocentre on walls and no piece of the skin.
+    if (!is_within(skin, patch.centre, cell, skin.complex().wall_tolerance())) continue;
     const double radius = std::sqrt(std::abs(patch.half_weight));
+    if (!has_circle(skin, cell, patch, radius)) continue;
     const double below = reach(skin, cell, patch, -patch.axis, farthest);
     const double above = reach(skin, cell, patch, patch.axis, farthest);
     found.push_back({cell, is_tunnel, patch.centre, radius, demand(radius, below, above)});

@@ -20,8 +20,8 @@ struct Waist {
   double demand;
 };
 
-/// The narrowest first. A waist is a patch whose orthocentre lies inside its cell and whose quadric
-/// has one sheet.
+/// The narrowest first. A waist is a patch of one sheet that has its orthocentre and some of the
+/// circle about it in its cell.
 std::vector<Waist> waists(const SkinSurface& skin);
 
 }  // namespace morskin::skin

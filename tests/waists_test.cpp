@@ -76,3 +76,23 @@ TEST_CASE(
   CHECK(std::ranges::none_of(found, &skin::Waist::is_tunnel));
   for (const skin::Waist& waist : found) CHECK(waist.radius == doctest::Approx(found[0].radius));
 }
+
+TEST_CASE("a hyperboloid that lies outside its cell, where the body is solid, is no neck") {
+  // The tetrahedra about the edge of the first two have orthospheres of weight w - 0.82805.
+  const auto octahedron = [](double w) {
+    return std::vector<WeightedPoint>{{{0, 0, 0.9}, w}, {{0, 0, -0.9}, w}, {{1, 0, 0}, w},
+                                      {{-1, 0, 0}, w},  {{0, 1, 0}, w},    {{0, -1, 0}, w}};
+  };
+  const auto solid = support::prepared(octahedron(0.84));
+  REQUIRE(solid);
+  REQUIRE(solid->topology.skin_components() == 1);
+  const auto found = skin::waists(solid->surface);
+  CHECK(found.size() == 12);  // a neck for each edge of the octahedron, none for its axis
+  for (const skin::Waist& waist : found) CHECK(waist.centre.norm() > 0.5);
+  // With voids beside it the axis is one.
+  const auto hollow = support::prepared(octahedron(0.815));
+  REQUIRE(hollow);
+  CHECK(hollow->topology.betti[2] > 0);
+  CHECK(std::ranges::any_of(skin::waists(hollow->surface),
+                            [](const skin::Waist& waist) { return waist.centre.norm() < 0.1; }));
+}

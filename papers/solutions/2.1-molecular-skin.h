@@ -9,7 +9,7 @@ Number touching_distance = 2 * std::sqrt(2.0);
 
 // What `info` counts: the edges of the triangulation whose patch is one sheet that has its waist in
 // the edge's own cell.
-Count necks = 361;
+Count necks = 345;
 
 // The meridian r^2 - s^2 = w/2 has the normal (r, -s)/|u| and the tangent (s, r)/|u|. With
 // f = r^2 - s^2 the curvature is t.Hess f.t / |grad f| = 2 (s^2 - r^2)/|u|^2 / (2 |u|), which is
