@@ -21,8 +21,8 @@ struct ChosenFunction {
 /// A further reason against a function, in words, or nothing.
 using Objection = std::function<std::optional<std::string>(const ChosenFunction&)>;
 
-/// The requested function, or every default, is degenerate for a skin; the text names the position
-/// and the remedy.
+/// The requested function, or every default, is degenerate for a skin; the text names the remedy
+/// and, unless only the sum of the critical points is wrong, the position.
 class DegenerateFunction : public geometry::RefusedInput {
  public:
   using geometry::RefusedInput::RefusedInput;

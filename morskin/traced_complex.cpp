@@ -10,14 +10,25 @@ namespace morskin {
 
 namespace {
 
+/// Whether the value at an extremum is beyond that at a saddle. Rounding may hide it where the skin
+/// is small beside the coordinates.
+bool is_beyond(const morse::CriticalPoint& extremum, const morse::CriticalPoint& saddle) {
+  return extremum.index == 0 ? extremum.value < saddle.value : extremum.value > saddle.value;
+}
+
 /// The objections to a complex: its own degeneracies, a number of components that is not the
-/// skin's, or a broken law.
+/// skin's, ends of an arc that rounding does not tell apart, or a broken law.
 std::optional<std::string> objection_to(const morse::MorseSmaleComplex& complex,
                                         const skin::DualComplex& topology) {
   if (!complex.degeneracies.empty()) return complex.degeneracies.front();
   if (complex.components != topology.skin_components()) {
     return "the arcs join " + std::to_string(complex.components) + " components, not " +
            std::to_string(topology.skin_components());
+  }
+  for (const auto& [saddle, extremum] : complex.arcs) {
+    if (is_beyond(complex.points[extremum.index()], complex.points[saddle.index()])) continue;
+    return "the values at a saddle and at the end of a line from it agree within rounding " +
+           morse::position_text(complex.points[saddle.index()].point.position);
   }
   return morse::validate(complex);
 }

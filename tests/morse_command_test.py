@@ -146,6 +146,14 @@ class Morse(CommandTest):
             self.assertRegex(done.stderr.decode(), r"degenerate.* at \(.*\).*--function")
         self.assertEqual(self.names(), [])
 
+    def test_values_that_rounding_does_not_tell_apart_are_refused_with_the_place(self):
+        balls = self.folder / "dot.xyzw"  # of which the smaller just looks out of the other
+        balls.write_text("-1.9999971389770508 0 2 9.3132257461547852e-10\n"
+                         "-2.0000019073486328 2 0 8.0000000009313226\n")
+        done = self.run_morskin("morse", balls, "-o", "out.json", "--function", "height:1,0,0",
+                                code=2)
+        self.assertRegex(done.stderr.decode(), r"agree within rounding at \(.*\).*--function")
+
 
 if __name__ == "__main__":
     main()
