@@ -97,7 +97,12 @@ SkinParts parts_without_volumes(const morskin::PreparedSkin& skin) {
     const skin::Void& v = skin.topology.voids[i];
     parts.voids.push_back({v.centre, std::nullopt, v.bodies.size() - 1, skin.has_dropped(i)});
   }
+  const skin::SkinComponents sides_at(skin.surface, skin.topology);
   for (const skin::Waist& w : skin::waists(skin.surface)) {
+    const auto is_dropped = [&](const geometry::Point& x) {
+      return morskin::is_on_dropped(skin, sides_at, skin.surface.at(x, w.cell));
+    };
+    if (std::ranges::all_of(w.on_skin, is_dropped)) continue;
     (w.is_tunnel ? parts.tunnels : parts.necks).push_back(w);
   }
   return parts;

@@ -34,23 +34,27 @@ bool is_within(const SkinSurface& skin, const Point& x, CellId cell, double marg
   });
 }
 
-/// Whether any of the circle lies in the cell, in which its centre does. Of a narrow cell deep in
-/// the body none may, and then no piece of the skin. The part in the cell is empty, the whole
-/// circle, or ends where a wall along the axis cuts it.
-bool has_circle(const SkinSurface& skin, CellId cell, const Patch& patch, double radius) {
+/// Points of the circle in the cell, in which its centre lies: the ends of its arcs there, where
+/// walls along the axis cut it, or any one of a whole circle. Of a narrow cell deep in the body
+/// there are none, and then no piece of the skin.
+std::vector<Point> circle_points(const SkinSurface& skin, CellId cell, const Patch& patch,
+                                 double radius) {
   const double tolerance = skin.complex().wall_tolerance();
+  std::vector<Point> found;
   bool is_cut = false;
   for (const Wall& wall : skin.complex().kept_walls(cell)) {
     const double to_wall = wall.offset - wall.normal.dot(patch.centre);
     if (is_across(wall, patch.axis) || to_wall >= radius) continue;
     is_cut = true;
-    const Vector along =
-        std::sqrt((radius - to_wall) * (radius + to_wall)) * patch.axis.cross(wall.normal);
     const Point middle = patch.centre + to_wall * wall.normal;
-    if (is_within(skin, middle + along, cell, -tolerance)) return true;
-    if (is_within(skin, middle - along, cell, -tolerance)) return true;
+    const double half = std::sqrt((radius - to_wall) * (radius + to_wall));
+    for (const double side : {-half, half}) {
+      const Point end = middle + side * patch.axis.cross(wall.normal);
+      if (is_within(skin, end, cell, -tolerance)) found.push_back(end);
+    }
   }
-  return !is_cut;
+  if (!is_cut) found.push_back(patch.centre + radius * patch.axis.unitOrthogonal());
+  return found;
 }
 
 /// At a distance s from the circle's plane the hyperboloid has rho^2 = c^2 + 2 s^2, and a ring of
@@ -76,10 +80,12 @@ std::vector<Waist> waists(const SkinSurface& skin) {
     // orthocentre on walls and no piece of the skin.
     if (!is_within(skin, patch.centre, cell, skin.complex().wall_tolerance())) continue;
     const double radius = std::sqrt(std::abs(patch.half_weight));
-    if (!has_circle(skin, cell, patch, radius)) continue;
+    std::vector<Point> on_skin = circle_points(skin, cell, patch, radius);
+    if (on_skin.empty()) continue;
     const double below = reach(skin, cell, patch, -patch.axis, farthest);
     const double above = reach(skin, cell, patch, patch.axis, farthest);
-    found.push_back({cell, is_tunnel, patch.centre, radius, demand(radius, below, above)});
+    found.push_back(
+        {cell, is_tunnel, patch.centre, radius, demand(radius, below, above), std::move(on_skin)});
   }
   std::ranges::sort(found, {}, [](const Waist& w) { return std::pair(w.radius, w.cell.value); });
   return found;

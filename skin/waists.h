@@ -18,6 +18,7 @@ struct Waist {
   /// The integral of rho^-2 over the hyperboloid, as far as the cell goes along its axis. Above the
   /// true one where other cells cut into the hyperboloid, as they do in wide waists.
   double demand;
+  std::vector<Point> on_skin;  ///< of the circle, in the cell, at least one of each arc there
 };
 
 /// The narrowest first. A waist is a patch of one sheet that has its orthocentre and some of the

@@ -91,6 +91,22 @@ class Voids(CommandTest):
         self.assertEqual(radii, sorted(radii))
         self.assertGreater(necks["forced_triangles"], necks["narrowest"][0]["forced_triangles"])
 
+    def test_necks_on_components_that_go_with_a_void_are_left_out(self):
+        nested = self.folder / "nested.xyzr"  # two balls with a narrow neck in the void
+        nested.write_text(SHELL.read_text() + "-0.7 0 0 0.5\n0.7 0 0 0.5\n")
+
+        def told(*words):
+            said = self.run_morskin("info", nested, "--json", *words).stdout
+            return [json.loads(said)[kind] for kind in ("necks", "tunnels")]
+
+        (necks, tunnels), (left, tunnels_left) = told(), told("--voids", "drop")
+        self.assertLess(necks["narrowest"][0]["radius"], 0.1)
+        self.assertEqual(left["count"], necks["count"] - 1)
+        self.assertGreater(left["narrowest"][0]["radius"], 0.1)
+        # The tunnels are triangles between the pair and the shell.
+        self.assertGreater(tunnels["count"], 0)
+        self.assertEqual(tunnels_left["count"], 0)
+
     def test_info_guesses_the_triangles_of_a_length_within_a_quarter(self):
         for size in ("0.3", "0.05"):
             words = (MOLECULES / "caffeine.xyz", "--size", size)
