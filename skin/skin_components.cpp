@@ -56,19 +56,23 @@ std::optional<std::uint32_t> SkinComponents::void_of(const End& end) const {
   return part == DualComplex::no_part ? std::nullopt : std::optional(part);
 }
 
-/// An atom that others cover is not in K, though it lies in the body: from there the path goes on.
+/// An atom that others cover is not in K, though it lies in the body: from there the path goes on,
+/// to a heavier one. For at its centre z, with c in the simplex of z's cell, |z - c|^2 - w_c / 2 is
+/// G(z), at most -w / 2 by the atom alone, so w_c >= w; and from c on the weight grows.
 std::optional<std::uint32_t> SkinComponents::body_below(const Point& x, CellId cell) const {
-  constexpr int max_covered = 8;
   Point at = x;
-  for (int k = 0; k < max_covered; ++k) {
+  double last = -std::numeric_limits<double>::infinity();  // half a weight
+  for (;;) {
     const std::optional<End> down = path_end(at, cell, 0);
     if (!down) return std::nullopt;
     const std::uint32_t body = topology_.body_of_vertex[skin_.complex().simplex_index(down->cell)];
     if (body != DualComplex::no_part) return body;
-    at = skin_.patch(down->cell).centre;
+    const Patch atom = skin_.patch(down->cell);
+    if (!(atom.half_weight > last)) return std::nullopt;  // lost to rounding
+    last = atom.half_weight;
+    at = atom.centre;
     cell = skin_.locate(at, down->cell);
   }
-  return std::nullopt;
 }
 
 std::optional<SkinComponents::Sides> SkinComponents::sides(const SurfacePoint& x) const {

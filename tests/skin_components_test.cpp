@@ -150,3 +150,20 @@ TEST_CASE("at a waist, as near to both balls, a point lies on the body of both")
   CHECK(x->position.x() == 0);
   CHECK(SkinComponents(skin->surface, skin->topology).sides(*x) == Sides{0, std::nullopt});
 }
+
+TEST_CASE("from any ball of a row, each covered by a larger one, the way to the body is found") {
+  // At z the weight is a z^2 - 1; balls below z = 1 / sqrt(1 - a) are not in K. The way from one
+  // goes to about 2 z.
+  std::vector<geometry::WeightedPoint> row;
+  constexpr double a = 1 - 1e-8;
+  for (double z = 1.2; z < 13'000; z *= 1.25) row.push_back({{z, 0, 0}, a * z * z - 1});
+  const auto skin = support::prepared(row);
+  REQUIRE(skin);
+  REQUIRE(skin->topology.betti == std::array<std::size_t, 3>{1, 0, 0});
+  const SkinComponents components(skin->surface, skin->topology);
+  const surface::Samples samples = skin->surface.samples();
+  REQUIRE(samples.points.size() > 20);
+  for (const SurfacePoint& x : samples.points) {
+    CHECK(components.sides(x) == Sides{0, std::nullopt});
+  }
+}
