@@ -18,7 +18,8 @@ using skin::Patch;
 constexpr double usual_take_off = 3e-3;
 /// Largest angle between nodes on arcs in closed form, radians (or rho, on a hyperbola).
 constexpr double node_spacing = 0.3;
-/// Pieces after which a line counts as lost. The longest in the corpus have some thousands.
+/// Pieces in which a line that does not come a length scale farther counts as lost. The longest in
+/// the corpus have some thousands in all, but one along a filament may have any number.
 constexpr int max_pieces = 20000;
 
 /// tan(t/2) of the point (cos t, sin t), 0 < t < pi, without cancellation at either pole.
@@ -191,7 +192,14 @@ std::optional<std::size_t> Tracer::wall_passed() const {
 }
 
 void Tracer::run() {
-  for (int piece = 0; piece < max_pieces; ++piece) {
+  const auto here = [&]() -> Point { return centre_ + flow_.to_space(u_); };
+  Point passed = here();
+  for (int piece = 0;; ++piece) {
+    if (piece == max_pieces) {
+      if ((here() - passed).norm() < u_.norm()) return;
+      passed = here();
+      piece = 0;
+    }
     if (const auto wall = wall_passed()) {
       leave_through(walls_[*wall]);
       continue;

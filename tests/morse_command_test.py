@@ -139,6 +139,12 @@ class Morse(CommandTest):
             self.assertEqual((self.folder / f"a.{ending}").read_bytes(),
                              (self.folder / f"b.{ending}").read_bytes())
 
+    def test_a_line_along_a_filament_arrives_however_many_pieces_it_has(self):
+        row = self.folder / "row.xyzr"  # with a bump at its foot, whose saddle is joined to its top
+        balls = [f"0 {i / 2} 0 1\n" for i in range(10_000)]
+        row.write_text("".join(balls) + "2.6 -1.2 0.1 1\n1.3 -0.4 0 1\n")
+        self.check_complex(self.morse_json(row, "--raw"))
+
     def test_a_degenerate_function_of_the_user_gives_2_and_the_place(self):
         for command, out in (("morse", "out.json"), ("mesh", "out.ply")):
             done = self.run_morskin(command, MOLECULES / "cube8.xyzr", "-o", out, "--function",
