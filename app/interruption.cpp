@@ -38,8 +38,7 @@ void remove_watched_files() {
 }
 
 RemovedOnInterrupt::RemovedOnInterrupt() {
-  // Makes a full file or a closed pipe an error of the write, with its own message and exit code.
-  ::signal(SIGXFSZ, SIG_IGN);
+  // Makes a closed pipe an error of the write, with its own message and exit code.
   ::signal(SIGPIPE, SIG_IGN);
   struct sigaction action {};
   action.sa_handler = remove_and_end;

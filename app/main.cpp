@@ -1,3 +1,4 @@
+#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -135,6 +136,8 @@ ExitCode run(int count, const char* const* words) {
 
 int main(int count, char** words) {
   std::set_terminate(morskin::app::end_without_traces);
+  // Makes a file at the system's limit (ulimit -f) an error of the write, with its own exit code.
+  std::signal(SIGXFSZ, SIG_IGN);
   morskin::app::fill_closed_streams();
   const morskin::app::PrintableStream output(std::cout), errors(std::cerr);
   return static_cast<int>(morskin::app::run(count, words));

@@ -181,14 +181,16 @@ class Rows(Batch):
         self.assertEqual(len(self.rows()), 2)
 
     def test_a_disk_too_full_for_what_an_archive_holds_gives_7(self):
-        self.input("big.xyzr", chain(0, 400))
+        self.input("big.xyzr", chain(0, 400) + "# end\n" * 30000)
         with tarfile.open(self.folder / "big.tar.gz", "w:gz") as archive:
             archive.add(self.folder / "big.xyzr", arcname="big.xyzr")
-        def no_large_files():
-            resource.setrlimit(resource.RLIMIT_FSIZE, (4000, 4000))
-        complaint = self.batch("big.tar.gz", "-o", "out", *COARSE, code=7,
-                               preexec_fn=no_large_files)
-        self.assertIn("big.xyzr: cannot write: ", complaint)
+        for most in (4000, 1 << 16):  # the second is where a block that is unpacked ends
+            def no_large_files():
+                resource.setrlimit(resource.RLIMIT_FSIZE, (most, most))  # pylint: disable=W0640
+            complaint = self.batch("big.tar.gz", "-o", "out", *COARSE, code=7,
+                                   preexec_fn=no_large_files)
+            self.assertIn("big.xyzr: cannot write: ", complaint)
+            self.assertEqual(os.listdir(self.folder / "out"), ["rows.jsonl"])
 
     def test_children_of_others_that_end_meanwhile_are_none_of_its_workers(self):
         self.input("one.xyzr", chain(0, 100))

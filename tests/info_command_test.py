@@ -2,8 +2,10 @@
 """What info tells of a molecule. Usage: info_command_test.py path/to/morskin"""
 
 import json
+import resource
+import subprocess
 
-from support.command import MOLECULES, CommandTest, main
+from support.command import MOLECULES, CommandTest, main, morskin
 
 
 class Info(CommandTest):
@@ -13,6 +15,15 @@ class Info(CommandTest):
         self.assertEqual(info["atoms"], 24)
         self.assertGreater(info["estimated_triangles"], 0)
         self.assertIn(b"about", self.run_morskin("info", MOLECULES / "caffeine.xyz").stdout)
+
+    def test_a_report_that_its_file_has_no_room_for_gives_7(self):
+        with open(self.folder / "report.json", "wb") as file:
+            done = subprocess.run(
+                [morskin(), "info", "ring.xyzr", "--json"], cwd=self.folder, check=False,
+                stdout=file, stderr=subprocess.PIPE,
+                preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100)))
+        self.assertEqual(done.returncode, 7)
+        self.assertIn(b"standard output: cannot write", done.stderr)
 
     def test_one_neck_is_not_told_of_as_several(self):
         said = self.run_morskin("info", MOLECULES / "two_balls.xyzr").stdout.decode()
