@@ -180,6 +180,15 @@ class Rows(Batch):
         self.batch("in", "-o", "out", *COARSE)
         self.assertEqual(len(self.rows()), 2)
 
+    def test_a_row_that_has_no_room_is_called_too_large_where_files_may_not_grow(self):
+        self.input("list", "".join(f"{k}.pdb\n" for k in range(20)))
+        def no_large_files():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))
+        complaint = self.batch("list", "-o", "out", code=7, preexec_fn=no_large_files)
+        self.assertIn("out/rows.jsonl: cannot write: File too large; ", complaint)
+        made = len(self.rows())  # the others whole
+        self.assertEqual(self.batch("list", "-o", "out")["made"], 20 - made)
+
     def test_a_disk_too_full_for_what_an_archive_holds_gives_7(self):
         self.input("big.xyzr", chain(0, 400) + "# end\n" * 30000)
         with tarfile.open(self.folder / "big.tar.gz", "w:gz") as archive:
@@ -189,7 +198,7 @@ class Rows(Batch):
                 resource.setrlimit(resource.RLIMIT_FSIZE, (most, most))  # pylint: disable=W0640
             complaint = self.batch("big.tar.gz", "-o", "out", *COARSE, code=7,
                                    preexec_fn=no_large_files)
-            self.assertIn("big.xyzr: cannot write: ", complaint)
+            self.assertIn("big.xyzr: cannot write: File too large; ", complaint)
             self.assertEqual(os.listdir(self.folder / "out"), ["rows.jsonl"])
 
     def test_children_of_others_that_end_meanwhile_are_none_of_its_workers(self):

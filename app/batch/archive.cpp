@@ -13,6 +13,7 @@
 
 #include "app/output_names.h"
 #include "geometry/error.h"
+#include "geometry/files/atomic_file.h"
 
 namespace morskin::app {
 
@@ -87,12 +88,8 @@ std::optional<std::string> Archive::next() {
 }
 
 void Archive::extract(const std::filesystem::path& target, std::size_t longest) {
-  const auto fail_to_write = [&](int error) {
-    throw geometry::UnwritableOutput(target.string() + ": cannot write: " +
-                                     std::generic_category().message(error) + "; free some space");
-  };
   const int file = ::open(target.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (file < 0) fail_to_write(errno);
+  if (file < 0) geometry::fail_to_write(target, errno);
   std::array<char, 1 << 16> block;
   la_ssize_t count = 0;
   int error = 0;
@@ -100,11 +97,10 @@ void Archive::extract(const std::filesystem::path& target, std::size_t longest) 
   if (is_too_long && ::ftruncate(file, static_cast<off_t>(longest) + 1) != 0) error = errno;
   while (error == 0 && !is_too_long &&
          (count = ::archive_read_data(archive_.get(), block.data(), block.size())) > 0) {
-    const ssize_t written = ::write(file, block.data(), static_cast<std::size_t>(count));
-    if (written != count) error = written < 0 ? errno : ENOSPC;
+    error = geometry::write_all(file, {block.data(), static_cast<std::size_t>(count)});
   }
   if (::close(file) != 0 && error == 0) error = errno;
-  if (error != 0) fail_to_write(error);
+  if (error != 0) geometry::fail_to_write(target, error);
   if (count < 0) fail();
 }
 

@@ -96,11 +96,11 @@ void cut_torn_lines(const std::filesystem::path& folder) {
 RowFile::RowFile(std::filesystem::path path)
     : path_(std::move(path)),
       file_(::open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666)) {
-  if (file_ < 0) fail(errno);
+  if (file_ < 0) geometry::fail_to_write(path_, errno);
   if (::flock(file_, LOCK_EX | LOCK_NB) != 0) {
     const int error = errno;
     ::close(file_);
-    if (error != EWOULDBLOCK) fail(error);
+    if (error != EWOULDBLOCK) geometry::fail_to_write(path_, error);
     throw IsLocked(path_.string() + ": another run writes it; wait for its end, or take shards");
   }
   struct stat found {};
@@ -117,27 +117,20 @@ void RowFile::cut_torn_line() {
   const geometry::FileBytes bytes = geometry::read_file(path_);
   const std::size_t whole = whole_lines(bytes.view()).size();
   if (whole == bytes.view().size()) return;
-  if (::ftruncate(file_, static_cast<off_t>(whole)) != 0) fail(errno);
+  if (::ftruncate(file_, static_cast<off_t>(whole)) != 0) geometry::fail_to_write(path_, errno);
 }
 
 void RowFile::append(const ordered_json& row) {
   const std::string line = row.dump(-1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
   struct stat before {};
-  if (::fstat(file_, &before) != 0) fail(errno);
-  const ssize_t written = ::write(file_, line.data(), line.size());
-  int error = written < 0 ? errno : ENOSPC;
-  if (written == static_cast<ssize_t>(line.size())) {
+  if (::fstat(file_, &before) != 0) geometry::fail_to_write(path_, errno);
+  int error = geometry::write_all(file_, line);
+  if (error == 0) {
     if (::fsync(file_) == 0) return;
     error = errno;
   }
   static_cast<void>(::ftruncate(file_, before.st_size));
-  fail(error);
-}
-
-void RowFile::fail(int error) const {
-  throw geometry::UnwritableOutput(path_.string() +
-                                   ": cannot write: " + std::generic_category().message(error) +
-                                   "; free some space or choose a folder that you may write to");
+  geometry::fail_to_write(path_, error);
 }
 
 }  // namespace morskin::app

@@ -54,7 +54,6 @@ class RowFile {
   void append(const nlohmann::ordered_json& row);
 
  private:
-  [[noreturn]] void fail(int error) const;
   void cut_torn_line();
 
   std::filesystem::path path_;

@@ -121,11 +121,6 @@ void force_to_disk(const path& file) {
   ::close(opened);
 }
 
-[[noreturn]] void fail_to_write(const path& file, const std::error_code& error) {
-  throw geometry::UnwritableOutput(file.string() + ": cannot write: " + error.message() +
-                                   "; free some space or choose a folder that you may write to");
-}
-
 }  // namespace
 
 std::vector<std::string> worker_words(const BatchArguments& arguments, const path& input,
@@ -166,7 +161,7 @@ WorkFolder::WorkFolder(path path) : path_(std::move(path)) {
   std::error_code failed;
   std::filesystem::remove_all(path_, failed);
   if (!failed) std::filesystem::create_directory(path_, failed);
-  if (failed) fail_to_write(path_, failed);
+  if (failed) geometry::fail_to_write(path_, failed.value());
 }
 
 WorkFolder::~WorkFolder() {
@@ -177,7 +172,7 @@ WorkFolder::~WorkFolder() {
 path WorkFolder::new_folder() const {
   // A worker of a run that was killed a moment ago may still know the folders of that run.
   std::string name = (path_ / "XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) fail_to_write(name, {errno, std::generic_category()});
+  if (::mkdtemp(name.data()) == nullptr) geometry::fail_to_write(name, errno);
   return name;
 }
 
@@ -192,7 +187,7 @@ path Workers::file_of(const BatchInput& input, const path& folder) {
     const path file = folder / "in" / input.file_name();
     std::error_code failed;
     std::filesystem::create_directory(file.parent_path(), failed);
-    if (failed) fail_to_write(file, failed);
+    if (failed) geometry::fail_to_write(file, failed.value());
     archive_->second.extract(file, skin::ReadOptions().max_bytes);
     return file;
   }
@@ -279,7 +274,7 @@ std::vector<std::string> Workers::move_outputs(const Job& job, bool is_killed) c
       }
       force_to_disk(job.folder / made);
       std::filesystem::rename(job.folder / made, target, failed);
-      if (failed) fail_to_write(target, failed);
+      if (failed) geometry::fail_to_write(target, failed.value());
       moved.push_back(made.string());
     }
   }

@@ -32,21 +32,6 @@ std::string fault_of_nul(const std::filesystem::path& path) {
   throw UnreadableInput(path.string() + ": " + what);
 }
 
-[[noreturn]] void fail_to_write(const std::filesystem::path& path, int error) {
-  std::string advice = "choose another folder";
-  if (error == ENOSPC || error == EDQUOT) advice = "free some space or choose another folder";
-  if (error == ENOENT || error == ENOTDIR) advice = "create the folder first";
-  if (error == EACCES || error == EPERM || error == EROFS) {
-    advice = "choose a folder that you may write to";
-  }
-  if (error == EISDIR) advice = "name a file, not a folder";
-  if (error == ENAMETOOLONG) advice = "choose a shorter one";
-  if (error == EFBIG) advice = "choose another folder or allow larger files (ulimit -f)";
-  if (error == EMFILE || error == ENFILE) advice = "allow more open files (ulimit -n)";
-  if (error == EPIPE || error == EBADF) advice = "whoever was to read it is gone";
-  throw UnwritableOutput(path.string() + ": cannot write: " + reason(error) + "; " + advice);
-}
-
 // An open file descriptor, closed at the end of its scope unless it is only borrowed.
 class Descriptor {
  public:
@@ -83,21 +68,9 @@ std::size_t read_up_to(const Descriptor& file, char* buffer, std::size_t size,
   return have;
 }
 
-// 0 or the error of the first write that failed.
-int write_all(const Descriptor& file, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t count = ::write(file.number(), bytes.data(), bytes.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return errno;
-    if (count == 0) return EIO;
-    bytes.remove_prefix(static_cast<std::size_t>(count));
-  }
-  return 0;
-}
-
 void write_directly(const std::filesystem::path& path, Descriptor& file, std::string_view bytes) {
   if (!file.is_open()) fail_to_write(path, errno);
-  const int write_error = write_all(file, bytes);
+  const int write_error = write_all(file.number(), bytes);
   const int close_error = file.close();
   if (write_error != 0) fail_to_write(path, write_error);
   if (close_error != 0) fail_to_write(path, close_error);
@@ -151,6 +124,32 @@ FileBytes read_file(const std::filesystem::path& path, std::size_t max_bytes) {
   }
   if (size > max_bytes) refuse_length();
   return {std::move(bytes), size};
+}
+
+int write_all(int file, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(file, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return errno;
+    if (count == 0) return EIO;
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return 0;
+}
+
+void fail_to_write(const std::filesystem::path& path, int error) {
+  std::string advice = "choose another folder";
+  if (error == ENOSPC || error == EDQUOT) advice = "free some space or choose another folder";
+  if (error == ENOENT || error == ENOTDIR) advice = "create the folder first";
+  if (error == EACCES || error == EPERM || error == EROFS) {
+    advice = "choose a folder that you may write to";
+  }
+  if (error == EISDIR) advice = "name a file, not a folder";
+  if (error == ENAMETOOLONG) advice = "choose a shorter one";
+  if (error == EFBIG) advice = "choose another folder or allow larger files (ulimit -f)";
+  if (error == EMFILE || error == ENFILE) advice = "allow more open files (ulimit -n)";
+  if (error == EPIPE || error == EBADF) advice = "whoever was to read it is gone";
+  throw UnwritableOutput(path.string() + ": cannot write: " + reason(error) + "; " + advice);
 }
 
 bool is_written_directly(const std::filesystem::path& path) {

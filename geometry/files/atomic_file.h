@@ -31,6 +31,13 @@ class FileBytes {
 FileBytes read_file(const std::filesystem::path& path,
                     std::size_t max_bytes = std::numeric_limits<std::size_t>::max() / 4);
 
+/// Writes all of it to an open file. @return 0, or the error of the write that failed
+int write_all(int file, std::string_view bytes);
+
+/// @param error  of the system
+/// @throws UnwritableOutput  "path: cannot write: reason; what to do"
+[[noreturn]] void fail_to_write(const std::filesystem::path& path, int error);
+
 /// Whether `path` is written to directly, since no file could be renamed to it: "-" and
 /// "/dev/stdout" (standard output), "/dev/stderr" (standard error), and whatever else exists and is
 /// neither a regular file nor a folder (a pipe, /dev/null).
@@ -49,7 +56,7 @@ class PendingFile {
   /// file's permissions.
   ///
   /// @pre    !is_written_directly(path)
-  /// @throws UnwritableOutput  "path: cannot write: reason; what to do"
+  /// @throws UnwritableOutput  as from fail_to_write()
   explicit PendingFile(std::filesystem::path path);
   PendingFile(PendingFile&& other) noexcept;
   PendingFile& operator=(PendingFile&& other) = delete;
