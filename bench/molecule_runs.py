@@ -5,6 +5,7 @@ import dataclasses
 import functools
 import json
 import math
+import os
 import resource
 import shutil
 import subprocess
@@ -38,6 +39,14 @@ class Parser(argparse.ArgumentParser):
         usual = self.get_default("results")
         if usual.suffix and options.results.is_dir():
             self.error(f"--results {options.results} is a folder: name a file, as {usual.name}")
+        folder = options.results.absolute()
+        if usual.suffix:
+            folder = folder.parent
+        there = next(path for path in (folder, *folder.parents) if os.path.exists(path))
+        if not there.is_dir():
+            self.error(f"--results: {there} is a file: name a folder")
+        if not os.access(there, os.W_OK | os.X_OK):
+            self.error(f"--results: {there} may not be written to: name another folder")
         return options
 
 

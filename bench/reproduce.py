@@ -73,8 +73,6 @@ def arguments():
     parser.add_argument("--parts", default=",".join(PARTS), help="default %(default)s")
     parser.add_argument("--methods", default=",".join(METHODS), help="default %(default)s")
     options = parser.parse_args()
-    if options.results.exists() and not options.results.is_dir():
-        parser.error(f"--results: {options.results} is a file: name a folder")
     for asked, known in ((options.parts, PARTS), (options.methods, METHODS),
                          (options.models, MODELS)):
         for name in asked.split(","):

@@ -252,10 +252,20 @@ class Ends(unittest.TestCase):
 
     def test_a_file_for_the_folder_of_results_is_a_wrong_argument(self):
         self.table.write_text("earlier", encoding="utf-8")
-        said = io.StringIO()
-        with contextlib.redirect_stderr(said):
-            self.assertEqual(self.code_of(reproduce), (2, ""))
-        self.assertIn("is a file: name a folder", said.getvalue())
+        for script, name in ((reproduce, ""), (angles, "table.tsv"), (prediction, "new/table.md")):
+            said = io.StringIO()
+            with contextlib.redirect_stderr(said):
+                code = self.code_of(script, "--results", str(self.table / name))
+            self.assertEqual(code, (2, ""))
+            self.assertIn(f"{self.table} is a file: name a folder", said.getvalue())
+
+    def test_a_folder_of_results_that_may_not_be_written_to_is_a_wrong_argument(self):
+        for script, name in ((reproduce, ""), (angles, "table.tsv"), (prediction, "new/table.md")):
+            said = io.StringIO()
+            with contextlib.redirect_stderr(said), mock.patch("os.access", return_value=False):
+                code = self.code_of(script, "--results", str(self.table.parent / name))
+            self.assertEqual(code, (2, ""))
+            self.assertIn(f"{self.table.parent} may not be written to", said.getvalue())
 
     def test_without_the_corpus_its_molecules_are_named_and_an_earlier_table_stays(self):
         self.table.write_text("earlier", encoding="utf-8")
