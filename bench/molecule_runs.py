@@ -66,7 +66,7 @@ def argument_parser(text, *, timeout, results, takes=("molecules", "models", "la
         parser.add_argument("--largest", type=int, metavar="N", default=largest,
                             help="no molecule of more atoms" + (f" ({largest})" if largest else ""))
     parser.add_argument("--only", default="", metavar="PATTERN", help="part of the file's path")
-    parser.add_argument("--timeout", type=float, default=timeout,
+    parser.add_argument("--timeout", type=time_limit, default=timeout,
                         help="seconds for one run (%(default)s)")
     parser.add_argument("--results", type=Path, default=ROOT / results,
                         help="where to write (default: " + results + ")")
@@ -78,6 +78,13 @@ def positive(text):
     if int(text) < 1:
         raise argparse.ArgumentTypeError(f"{text} is not above 0")
     return int(text)
+
+
+def time_limit(text):
+    """Seconds."""
+    if not float(text) > 0:
+        raise argparse.ArgumentTypeError(f"{text} is not above 0")
+    return float(text)
 
 
 def molecule_folder(asked):

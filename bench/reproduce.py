@@ -34,7 +34,7 @@ import ablation
 import reproduce_tables as tables
 from machine import environment
 from molecule_runs import (BUNDLED, MODELS, argument_parser, atom_count, end, molecule_files,
-                           molecule_folder, positive, run_command, sized_files)
+                           molecule_folder, positive, run_command, sized_files, time_limit)
 from reproduce_part import METHODS, Notes, Part
 from reproduce_tables import STAGES
 
@@ -67,7 +67,7 @@ def arguments():
                         help="some five minutes; also with QUICK=1 in the environment")
     parser.add_argument("--finest", type=float, default=0.004, metavar="C",
                         help="of the series of finer and finer meshes (%(default)s)")
-    parser.add_argument("--scaling-timeout", type=float, default=30, metavar="SECONDS",
+    parser.add_argument("--scaling-timeout", type=time_limit, default=30, metavar="SECONDS",
                         help="of a run of the scaling; a method that needs more is not tried on "
                              "larger inputs (%(default)s)")
     parser.add_argument("--parts", default=",".join(PARTS), help="default %(default)s")

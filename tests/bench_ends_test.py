@@ -234,6 +234,12 @@ class Ends(unittest.TestCase):
                 with self.subTest(script.__name__), contextlib.redirect_stderr(io.StringIO()):
                     self.assertEqual(self.code_of(script, "--repetitions", count), (2, ""))
 
+    def test_no_time_is_a_wrong_argument(self):
+        for script, option in ((angles, "--timeout"), (reproduce, "--scaling-timeout")):
+            for limit in ("0", "-1", "nan", "x"):
+                with self.subTest(option, limit=limit), contextlib.redirect_stderr(io.StringIO()):
+                    self.assertEqual(self.code_of(script, option, limit), (2, ""))
+
     def test_a_plan_of_some_files_is_a_wrong_argument_and_leaves_the_recipes(self):
         said = io.StringIO()
         with (mock.patch.object(batch, "RECIPES", self.table), contextlib.redirect_stderr(said),
