@@ -6,6 +6,7 @@ Usage: verify_files_test.py path/to/morskin (not run)"""
 import io
 import json
 import os
+import subprocess
 import sys
 import unittest
 from pathlib import Path
@@ -143,6 +144,14 @@ class VerifyFiles(unittest.TestCase):
                 except SystemExit as ended:
                     code = ended.code
             self.assertEqual(code, 2)
+
+    def test_without_numpy_it_says_so_and_gives_no_verdict(self):
+        folder = self.path.parent
+        (folder / "numpy.py").write_text("raise ImportError('no numpy')\n", encoding="utf-8")
+        done = subprocess.run([sys.executable, verify.__file__, "b", "m", "c"], check=False,
+                              capture_output=True, env={**os.environ, "PYTHONPATH": str(folder)})
+        self.assertEqual((done.returncode, done.stdout), (2, b""))
+        self.assertEqual(done.stderr, b"verify.py: no numpy; install numpy (python3-numpy)\n")
 
     def test_a_process_that_the_system_ends_leaves_a_verdict_on_each_mesh(self):
         with mock.patch.object(verify, "verify", killed):

@@ -13,7 +13,11 @@ import sys
 from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 
-import numpy as np
+try:
+    import numpy as np
+except ImportError as missing:  # Python's own exit code of it, 1, is a verdict here
+    print(f"verify.py: {missing}; install numpy (python3-numpy)", file=sys.stderr)
+    sys.exit(2)
 
 from covering import Covering
 from enclosure import Skin, down, up
