@@ -153,6 +153,13 @@ class VerifyFiles(unittest.TestCase):
         self.assertEqual((done.returncode, done.stdout), (2, b""))
         self.assertEqual(done.stderr, b"verify.py: no numpy; install numpy (python3-numpy)\n")
 
+    def test_a_verdict_that_cannot_be_printed_is_none(self):
+        with open("/dev/full", "wb") as full:
+            done = subprocess.run([sys.executable, verify.__file__, "b", "m", "c"], check=False,
+                                  stdout=full, stderr=subprocess.PIPE)
+        self.assertEqual(done.returncode, 2)
+        self.assertEqual(done.stderr, b"verify.py: [Errno 28] No space left on device\n")
+
     def test_a_process_that_the_system_ends_leaves_a_verdict_on_each_mesh(self):
         with mock.patch.object(verify, "verify", killed):
             reports = list(verify.verify_all([("b", "m1", "c"), ("b", "m2", "c")]))

@@ -133,4 +133,8 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    try:
+        sys.exit(main())
+    except OSError as error:  # a verdict could not be printed, or no process be had for one
+        print(f"verify.py: {error}", file=sys.stderr)
+        os._exit(2)  # the usual end would try to print again
