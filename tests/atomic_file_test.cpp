@@ -125,6 +125,24 @@ TEST_CASE("what does not fit whole gets no name, and leaves the older file and n
   }
 }
 
+TEST_CASE("where no more files may be open the name of one is not to blame") {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder.file("balls.xyzr", "0 0 0 1");
+  rlimit usual{};
+  ::getrlimit(RLIMIT_NOFILE, &usual);
+  const rlimit none{0, usual.rlim_max};
+  ::setrlimit(RLIMIT_NOFILE, &none);
+  std::string said;
+  try {
+    static_cast<void>(read_file(path));
+  } catch (const UnreadableInput& error) {
+    said = error.what();
+  }
+  ::setrlimit(RLIMIT_NOFILE, &usual);
+  CHECK(said == path.string() + ": cannot be opened: Too many open files; allow more open files " +
+                    "(ulimit -n)");
+}
+
 TEST_CASE("a file that was written before is replaced whole by a shorter one") {
   const TemporaryFolder folder;
   PendingFile file(folder / "mesh.ply");

@@ -96,7 +96,9 @@ FileBytes read_file(const std::filesystem::path& path, std::size_t max_bytes) {
                   !is_standard_input);
   if (!file.is_open()) {
     const int error = errno;
-    const char* cure = error == EACCES ? "; ask for the right to read it" : "; check the name";
+    const char* cure = "; check the name";
+    if (error == EACCES) cure = "; ask for the right to read it";
+    if (error == EMFILE || error == ENFILE) cure = "; allow more open files (ulimit -n)";
     fail_to_read(path, "cannot be opened: " + reason(error) + cure);
   }
   struct stat status {};
