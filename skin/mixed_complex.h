@@ -139,10 +139,13 @@ class MixedComplex {
   void list_edges();
   void build_patches(const geometry::Run& run);
   void build_walls(const geometry::Run& run);
+  /// By simplex with N corners and facet, of the facet's walls.
   template <std::size_t N>
-  void count_walls();
+  using WallNumbers = std::vector<std::array<std::uint32_t, N>>;
   template <std::size_t N>
-  void fill_walls();
+  WallNumbers<N> number_walls();
+  template <std::size_t N>
+  void fill_walls(const WallNumbers<N>& numbers, const geometry::Run& run);
 
   Patch make_patch(CellId cell) const;
   Patch make_patch_numbered(std::uint32_t number) const;
@@ -162,7 +165,7 @@ class MixedComplex {
   template <std::size_t N>
   std::array<std::uint32_t, N> facets(std::size_t index) const;
   template <std::size_t N, class Visit>
-  void for_each_kept_incidence(Visit visit) const;
+  void for_each_kept_incidence(std::size_t begin, std::size_t end, Visit visit) const;
   template <std::size_t N>
   decltype(auto) simplices() const;
   std::uint32_t vertex_of(AtomId atom) const;

@@ -127,12 +127,11 @@ void MixedComplex::build_patches(const geometry::Run& run) {
       });
 }
 
-/// Visits each pair of a simplex with N corners and a facet of which one is kept: visit(simplex, k,
-/// facet), by index.
+/// Visits each pair of a simplex with N corners, of the indices from begin to end, and a facet of
+/// which one is kept: visit(simplex, k, facet), by index.
 template <std::size_t N, class Visit>
-void MixedComplex::for_each_kept_incidence(Visit visit) const {
-  const std::size_t count = simplices<N>().size();
-  for (std::size_t s = 0; s < count; ++s) {
+void MixedComplex::for_each_kept_incidence(std::size_t begin, std::size_t end, Visit visit) const {
+  for (std::size_t s = begin; s < end; ++s) {
     const bool is_kept = is_kept_number(first_number_[N - 1] + static_cast<std::uint32_t>(s));
     const auto facet = facets<N>(s);
     for (std::size_t k = 0; k < N; ++k) {
@@ -141,55 +140,63 @@ void MixedComplex::for_each_kept_incidence(Visit visit) const {
   }
 }
 
-/// Counts the walls between simplices with N corners and their facets in first_wall_, by facet and
-/// shifted by one.
+/// Numbers the walls from facets to simplices with N corners, by simplex and facet, behind those
+/// that first_wall_ has of the facet's cell, shifted by one, and counts them there.
 template <std::size_t N>
-void MixedComplex::count_walls() {
-  for_each_kept_incidence<N>([&](std::size_t, std::size_t, std::uint32_t f) {
+MixedComplex::WallNumbers<N> MixedComplex::number_walls() {
+  WallNumbers<N> numbers(simplices<N>().size());
+  for_each_kept_incidence<N>(0, numbers.size(), [&](std::size_t s, std::size_t k, std::uint32_t f) {
     const CellId facet = cell(N - 2, f);
-    if (is_kept(facet)) ++first_wall_[facet.index() + 1];
+    if (is_kept(facet)) numbers[s][k] = first_wall_[facet.index() + 1]++;
   });
+  return numbers;
 }
 
 /// A cell's walls to facets come first, in their order, then those to cofaces, in theirs.
 template <std::size_t N>
-void MixedComplex::fill_walls() {
-  // By facet, the walls filled so far: those to its own facets are reserved.
-  std::vector<std::uint32_t> filled(simplices<N - 1>().size(), N == 2 ? 0 : N - 1);
-  // A simplex's facets are visited in a row; only kept cells have stored centres.
-  std::size_t last = simplices<N>().size();
-  Point centre = Point::Zero();
-  for_each_kept_incidence<N>([&](std::size_t s, std::size_t k, std::uint32_t f) {
-    const CellId facet = cell(N - 2, f), simplex = cell(N - 1, s);
-    if (s != last) centre = this->centre<N>(s);
-    last = s;
-    const Wall wall = make_wall(simplices<N>()[s], k, this->centre<N - 1>(f), centre, simplex);
-    if (is_kept(facet)) std::construct_at(&walls_[first_wall_[facet.index()] + filled[f]++], wall);
-    if (is_kept(simplex)) {
-      std::construct_at(&walls_[first_wall_[simplex.index()] + k],
-                        Wall{-wall.normal, -wall.offset, facet});
-    }
-  });
+void MixedComplex::fill_walls(const WallNumbers<N>& numbers, const geometry::Run& run) {
+  geometry::for_each_block(
+      run.threads(), numbers.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+        // A simplex's facets are visited in a row; only kept cells have stored centres.
+        std::size_t last = end;
+        Point centre = Point::Zero();
+        for_each_kept_incidence<N>(begin, end, [&](std::size_t s, std::size_t k, std::uint32_t f) {
+          const CellId facet = cell(N - 2, f), simplex = cell(N - 1, s);
+          if (s != last) centre = this->centre<N>(s);
+          last = s;
+          const Wall wall =
+              make_wall(simplices<N>()[s], k, this->centre<N - 1>(f), centre, simplex);
+          if (is_kept(facet)) {
+            std::construct_at(&walls_[first_wall_[facet.index()] + numbers[s][k]], wall);
+          }
+          if (is_kept(simplex)) {
+            std::construct_at(&walls_[first_wall_[simplex.index()] + k],
+                              Wall{-wall.normal, -wall.offset, facet});
+          }
+        });
+      });
 }
 
-/// One task for each of the three kinds of walls, by dimension, which fill disjoint ranges.
 void MixedComplex::build_walls(const geometry::Run& run) {
-  const auto for_each_kind = [&](auto work) {
-    geometry::for_each_task(run.threads(), 3, [&](std::size_t task) {
-      if (task == 0) work(std::integral_constant<std::size_t, 3>());  // the most
-      if (task == 1) work(std::integral_constant<std::size_t, 4>());
-      if (task == 2) work(std::integral_constant<std::size_t, 2>());
-    });
-  };
   first_wall_.assign(kept_size() + 1, 0);
   for (std::uint32_t i = 0; i < kept_size(); ++i) {
     const int d = dimension_of(number_of_[i]);
     first_wall_[i + 1] = d == 0 ? 0 : static_cast<std::uint32_t>(d) + 1;
   }
-  for_each_kind([&](auto corners) { count_walls<corners>(); });
+  // By dimension, so that no two count the walls of one cell.
+  WallNumbers<2> of_edges;
+  WallNumbers<3> of_triangles;
+  WallNumbers<4> of_tetrahedra;
+  geometry::for_each_task(run.threads(), 3, [&](std::size_t task) {
+    if (task == 0) of_triangles = number_walls<3>();  // the most
+    if (task == 1) of_tetrahedra = number_walls<4>();
+    if (task == 2) of_edges = number_walls<2>();
+  });
   std::partial_sum(first_wall_.begin(), first_wall_.end(), first_wall_.begin());
   walls_.resize(first_wall_.back());
-  for_each_kind([&](auto corners) { fill_walls<corners>(); });
+  fill_walls<2>(of_edges, run);
+  fill_walls<3>(of_triangles, run);
+  fill_walls<4>(of_tetrahedra, run);
 }
 
 }  // namespace morskin::skin
