@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "geometry/error.h"
+#include "geometry/task_trace.h"
 
 namespace morskin::geometry {
 namespace {
@@ -57,6 +58,7 @@ class Descriptor {
 // Reads into the buffer until it is full or the file ends; how many bytes came.
 std::size_t read_up_to(const Descriptor& file, char* buffer, std::size_t size,
                        const std::filesystem::path& path) {
+  const Traced traced(TaskTrace::Kind::Stage, "read");
   std::size_t have = 0;
   while (have < size) {
     const ssize_t count = ::read(file.number(), buffer + have, size - have);
@@ -129,6 +131,7 @@ FileBytes read_file(const std::filesystem::path& path, std::size_t max_bytes) {
 }
 
 int write_all(int file, std::string_view bytes) {
+  const Traced traced(TaskTrace::Kind::Stage, "write");
   while (!bytes.empty()) {
     const ssize_t count = ::write(file, bytes.data(), bytes.size());
     if (count < 0 && errno == EINTR) continue;

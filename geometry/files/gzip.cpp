@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "geometry/error.h"
+#include "geometry/task_trace.h"
 
 namespace morskin::geometry {
 namespace {
@@ -23,6 +24,7 @@ constexpr std::size_t max_at_once = std::numeric_limits<uInt>::max() / 2;
 bool is_gzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
 
 std::string unpack_gzip(std::string_view bytes, const std::string& source, std::size_t max_bytes) {
+  const Traced traced(TaskTrace::Kind::Stage, "gunzip");
   z_stream stream{};
   if (inflateInit2(&stream, gzip_window) != Z_OK) fail(source, "zlib does not start; try again");
   const std::unique_ptr<z_stream, int (*)(z_stream*)> closing(&stream, inflateEnd);
