@@ -3,37 +3,11 @@
 #include <algorithm>
 #include <ranges>
 
-#include "geometry/error.h"
 #include "tests/support/mesh_file_cases.h"
 
 using namespace morskin;
 using namespace morskin::geometry;
 using namespace morskin::support;
-
-namespace {
-
-// The message with which a file is turned down; "" if it is read.
-std::string complaint(const std::string& bytes, const std::string& name) {
-  try {
-    parse_mesh(bytes, name);
-    return "";
-  } catch (const UnreadableInput& error) {
-    return error.what();
-  }
-}
-
-void check_refused(const std::string& bytes, const std::string& name, const std::string& part) {
-  const std::string reason = complaint(bytes, name);
-  CAPTURE(reason);
-  CHECK(!reason.empty());
-  CHECK(contains(reason, part));
-}
-
-std::string replaced(std::string text, const std::string& old, const std::string& by) {
-  return text.replace(text.find(old), old.size(), by);
-}
-
-}  // namespace
 
 TEST_CASE("a bad mesh is turned down with its line and a reason") {
   check_refused("OFF\n1 0 0\n0 0 nan\n", "a.off", "a.off:3: coordinate \"nan\"");

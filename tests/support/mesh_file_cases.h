@@ -1,7 +1,9 @@
 #pragma once
 
-/// What tests of mesh files write and read again: two tetrahedra, in formats of every kind.
+/// What tests of mesh files write and read again: two tetrahedra, in formats of every kind; and
+/// whether what is wrong is turned down.
 
+#include "geometry/error.h"
 #include "geometry/files/mesh_files.h"
 #include "tests/support/test.h"
 
@@ -30,6 +32,28 @@ inline std::string ending_of(MeshFormat format) {
   constexpr std::array names{"mesh.ply", "mesh.ply", "mesh.off", "mesh.obj", "mesh.stl",
                              "mesh.vtu", "mesh.glb", "mesh.npz", "mesh.msh"};  // as declared
   return names.at(static_cast<std::size_t>(format));
+}
+
+/// The message with which a file is turned down; "" if it is read.
+inline std::string complaint(const std::string& bytes, const std::string& name) {
+  try {
+    parse_mesh(bytes, name);
+    return "";
+  } catch (const UnreadableInput& error) {
+    return error.what();
+  }
+}
+
+inline void check_refused(const std::string& bytes, const std::string& name,
+                          const std::string& part) {
+  const std::string reason = complaint(bytes, name);
+  CAPTURE(reason);
+  CHECK(!reason.empty());
+  CHECK(contains(reason, part));
+}
+
+inline std::string replaced(std::string text, const std::string& old, const std::string& by) {
+  return text.replace(text.find(old), old.size(), by);
 }
 
 }  // namespace morskin::support
