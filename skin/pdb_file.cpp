@@ -216,9 +216,9 @@ std::string_view element_from_word(std::string_view name, std::string_view resid
   if (is_heavy && !is_standard_residue(residue) && !symbol_or_empty(two).empty()) {
     return symbol_or_empty(two);
   }
-  std::string columns_13_to_16(name.size() < 4 ? 1 : 0, ' ');
-  columns_13_to_16 += name;
-  return element_from_name(columns_13_to_16, residue);
+  std::string from_column_13(1, ' ');
+  from_column_13 += name;
+  return element_from_name(from_column_13, residue);
 }
 
 ParsedFile parse_records(std::string_view bytes, const std::string& source,
