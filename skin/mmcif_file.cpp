@@ -120,12 +120,10 @@ class AtomTable {
         continue;
       }
       if (row == 0) first_line_ = lines.number();
-      if (first != at(row, 0)) {
-        first_line_ = 0;
-        return;
-      }
+      if (first != at(row, 0)) break;
       ++row;
     }
+    if (row < loop_->length()) first_line_ = 0;
   }
   std::uint32_t line_of(std::size_t row) const {
     return first_line_ == 0 ? 0 : static_cast<std::uint32_t>(first_line_ + row);
