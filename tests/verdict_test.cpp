@@ -137,3 +137,22 @@ TEST_CASE("one element that breaks a size condition is told in the singular") {
     CHECK(found.reason == told);
   }
 }
+
+TEST_CASE("a mesh that only has a triangle too large is not said to have an angle too small") {
+  certify::Sizing sizing;
+  sizing.claimed_angle_deg = 30;
+  certify::Certificate found;
+  found.min_sine = std::sin(40 * M_PI / 180);
+  found.violations_U = 1;
+  found.conclude(sizing);
+  CHECK_FALSE(found.certified);
+  CHECK(found.reason == "0 edges break [L], 1 triangle breaks [U]");
+  found.violations_U = 0;
+  found.reason.clear();
+  found.conclude(sizing);
+  CHECK(found.certified);
+  found.min_sine = std::sin(29 * M_PI / 180);
+  found.conclude(sizing);
+  CHECK_FALSE(found.certified);
+  CHECK(support::contains(found.reason, "has an angle of 29"));
+}
