@@ -166,6 +166,21 @@ TEST_CASE("a PQR line with a number too many is turned down, not read one column
   }
 }
 
+TEST_CASE("a PQR line of twelve fields is turned down, and a minus begins no chain's name") {
+  const std::string line = "ATOM 1 N ALA -5 1 2 3 0.1 1.5\n";
+  CHECK(describe(parse_molecule(line, "a.pqr").atoms[0]) == "atom N of ALA -5 (line 1)");
+  CHECK_THROWS_WITH_AS(parse_molecule("ATOM 1 N ALA A 5 1 2 3 0.1 1.5 N\n", "a.pqr"),
+                       doctest::Contains("a.pqr:1: expected 10 or 11 fields"), UnreadableInput);
+}
+
+TEST_CASE("balls with weights are not read as balls with radii") {
+  const std::string balls = "# x y z w\n0 0 0 2\n";
+  CHECK(parse_molecule(balls, "a.xyzw").weights == std::vector{2.0});
+  CHECK_THROWS_WITH_AS(parse_molecule(balls, "a.xyzr"),
+                       doctest::Contains("a.xyzr:1: the fourth numbers are weights"),
+                       UnreadableInput);
+}
+
 TEST_CASE("a missing file and a folder are turned down") {
   const TemporaryFolder folder;
   CHECK_THROWS_WITH_AS(read_molecule(folder / "none.pdb"), doctest::Contains("cannot be opened"),
