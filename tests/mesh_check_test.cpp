@@ -117,6 +117,11 @@ TEST_CASE("each kind of defect is counted and its first element named") {
   check_only(bad, MeshDefect::SplitVertex, 1, "vertex 1 is where two sheets touch");
   CHECK(check_mesh(bad).components.size() == 2);
   CHECK(check_mesh(bad).components[1].genus() == 0);
+  // The sheets are told apart wherever the first and the last triangle at the vertex lie.
+  for (std::size_t i = 0; i < bad.triangles.size(); ++i) {
+    std::rotate(bad.triangles.begin(), bad.triangles.begin() + 1, bad.triangles.end());
+    check_only(bad, MeshDefect::SplitVertex, 1, "vertex 1 is where two sheets touch");
+  }
 }
 
 TEST_CASE("a triangle that stands twice is a duplicate, whichever way round the second is") {
