@@ -173,11 +173,17 @@ class Triangulator::Batches {
   /// @return        the points that could not be inserted
   std::vector<Refused> insert_some(std::span<const Corner> points, Worker& worker,
                                    std::vector<std::uint32_t> starts) {
-    constexpr std::size_t points_between_starts = 32;
+    constexpr std::size_t points_between_starts = 32, many = 256;
     std::vector<Refused> refused;
     std::size_t done = 0, next = 0;
     worker.last = no_index;
     for (const Corner p : points) {
+      // Where all tetrahedra share far corners, as of a filament, hardly any belongs to the region,
+      // and each point would go all the way through for nothing.
+      if (refused.size() >= many && done < refused.size() / 4) {
+        refused.push_back({p, worker.height + 1});
+        continue;
+      }
       for (std::size_t k = 0; worker.last == no_index && k < starts.size(); ++k) {
         const std::uint32_t start = starts[next++ % starts.size()];
         if (to_.states_[start] == State::Live && to_.is_own(start, worker)) worker.last = start;

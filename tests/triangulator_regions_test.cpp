@@ -1,5 +1,6 @@
 // Points inserted in several regions of space at once.
 
+#include "geometry/stopwatch.h"
 #include "geometry/triangulator.h"
 #include "tests/support/triangulations.h"
 
@@ -134,4 +135,17 @@ TEST_CASE("every 4,096 points inserted are reported, each point counted once") {
       CHECK(std::ranges::all_of(shares, [](double share) { return share > 0 && share <= 1; }));
     }
   }
+}
+
+TEST_CASE("a filament with two atoms in all its tetrahedra takes little longer in regions") {
+  Points points{{{2.6, -1.2, 0.1}, 1}, {{1.3, -0.4, 0}, 1}};
+  for (int i = 0; i < 40000; ++i) points.push_back({{0, 0.5 * i, 0}, 1});
+  const auto seconds = [&](std::size_t region) {
+    const Stopwatch watch;
+    const Triangulator all(points, Run(), region);
+    CHECK(all.dimension() == 3);
+    return watch.seconds();
+  };
+  const double in_one = seconds(points.size());
+  CHECK(seconds(Triangulator::usual_region) < 5 * in_one + 0.1);
 }
