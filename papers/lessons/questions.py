@@ -174,8 +174,9 @@ LESSONS = {
             {202: "That is what it took.",
              5 * 24336 / 305186: "More triangles take longer.",
              305186 / 24336: "That is how many times the triangles there are."}),
-        "run": Run("Mesh `bench/molecules/9dna.pdb`, model sas, with `--method` static. How many "
-                   "triangles?", "mesh 9dna.pdb --model sas --method static", ["triangles"]),
+        "run": Run("Mesh `bench/molecules/9dna.pdb`, model sas, with `--method` static and `-C` "
+                   "0.1. How many triangles?", "mesh 9dna.pdb --model sas --method static -C 0.1",
+                   ["triangles"]),
         "explain": Formula(
             "Two meshes of n1 and n2 triangles took t1 and t2. Give the power with which the time "
             "grows.", "n1 t1 n2 t2",
