@@ -140,6 +140,7 @@ test-papers: papers  ## open every page of the course in headless Chromium, as o
 
 papers-update: command  ## count triangles anew, and put all that papers/results says into the pages
 	python3 bench/counts.py
+	python3 bench/operations.py
 	python3 papers/course/results.py
 
 solvers: command  ## what solvers make of the meshes, into papers/results (see papers/solvers.md)

@@ -27,11 +27,10 @@ from molecule_runs import (MORSKIN, ROOT, Rows, argument_parser, end, mesh, mole
 COARSER = {"paper": [(100_000, 0.34), (20_000, 0.23)], "vdw": [(100_000, 0.3), (20_000, 0.2)]}
 WORTH_TILING = 200_000  # atoms
 
-COLUMNS = ["file", "model", "atoms", "C", "triangles", "chi", "chi_expected", "components", "genus",
-           "min_angle", "max_angle", "missed", "worst_L", "broken_L", "worst_U", "seconds",
-           "peak_mib", "floor_ratio",
-           "delaunay_violations", "verdict"]
-WIDTHS = [26, 6, 7, 5, 10, 7, 12, 10, 6, 9, 9, 6, 7, 8, 7, 8, 8, 11, 8, 0]
+COLUMNS = ["file", "model", "atoms", "C", "triangles", "area", "chi", "chi_expected", "components",
+           "genus", "min_angle", "max_angle", "missed", "worst_L", "broken_L", "worst_U", "seconds",
+           "peak_mib", "floor_ratio", "delaunay_violations", "verdict"]
+WIDTHS = [26, 6, 7, 5, 10, 8, 7, 12, 10, 6, 9, 9, 6, 7, 8, 7, 8, 8, 11, 8, 0]
 
 
 def arguments():
@@ -119,7 +118,7 @@ def row_of(planned, folder, done):
     name = str(planned.path.relative_to(folder)) + (" " + planned.copies).rstrip()
     row = {"file": name, "model": planned.model,
            "verdict": verdict_of(done.code, done.report, done.complaint)}
-    keys = {"atoms": "atoms_used", "C": "C", "triangles": "triangles",
+    keys = {"atoms": "atoms_used", "C": "C", "triangles": "triangles", "area": "area",
             "chi": "euler_characteristic", "chi_expected": "expected_euler_characteristic",
             "components": "components", "genus": "genus", "min_angle": "min_angle_deg",
             "max_angle": "max_angle_deg", "worst_L": "worst_L", "broken_L": "violations_L",

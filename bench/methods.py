@@ -11,7 +11,7 @@ import tempfile
 from pathlib import Path
 
 import molecule_runs
-from molecule_runs import BUNDLED
+from molecule_runs import BUNDLED, markdown
 
 # Files of bench/molecules or of the folder given; balls "x y z r" are written to a file.
 FILES = ["c60.xyz", "benzene.pdb", "caffeine.xyz", "5tmn_ligand.pdb", "9dna.pdb",
@@ -34,7 +34,7 @@ WIDTHS = [22, 6, 8, 9, 6, 5, 5, 7, 7, 7, 8, 8, 0]
 def arguments():
     parser = molecule_runs.argument_parser(__doc__, timeout=900, results="results/methods.tsv",
                                            takes=["molecules", "models"])
-    parser.add_argument("--methods", default="sweep,static", help="default %(default)s")
+    parser.add_argument("--methods", default="sweep,static,dynamic", help="default %(default)s")
     return parser.parse_args()
 
 
@@ -74,6 +74,31 @@ def row_of(name, model, method, run, verdict):
     rate = round(run.report.get("triangles", 0) / seconds) if seconds > 0 else ""
     return row | {"input": name, "model": model, "method": method, "cpu_seconds": seconds,
                   "per_second": rate, "verdict": verdict}
+
+
+def in_seconds(seconds):
+    return f"{seconds:.2g}" if seconds < 10 else f"{seconds:.0f}"
+
+
+def table(rows):
+    """5, dynamic: sweep, static and dynamic side by side."""
+    methods = ["sweep", "static", "dynamic"]
+    columns = {"triangles": lambda r: f"{int(r['triangles']):,}",
+               "smallest angle": lambda r: f"{float(r['min_angle_deg']):.2f}°",
+               "CPU s": lambda r: in_seconds(float(r["cpu_seconds"]))}
+    head = ["input", "model", r"$\chi$, components, genus",
+            *(f"{name}, {methods[0]}" if method == methods[0] else method
+              for name in columns for method in methods)]
+    body = []
+    for first in (r for r in rows if r["method"] == methods[0]):
+        of_it = [next(r for r in rows if r["method"] == method
+                      and (r["input"], r["model"]) == (first["input"], first["model"]))
+                 for method in methods]
+        known = any(cells[0] == first["input"] for cells in body)
+        body.append(["" if known else first["input"], first["model"],
+                     f"{first['euler_characteristic']}, {first['components']}, {first['genus']}",
+                     *(cell(r) for cell in columns.values() for r in of_it)])
+    return markdown(head, body)
 
 
 def main():

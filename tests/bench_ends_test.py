@@ -17,15 +17,18 @@ import ablation  # noqa: E402
 import angles  # noqa: E402
 import batch  # noqa: E402
 import coarse  # noqa: E402
+import complexes  # noqa: E402
 import corpus  # noqa: E402
 import counts  # noqa: E402
 import curved_errors  # noqa: E402
 import densities  # noqa: E402
 import features  # noqa: E402
 import implicit  # noqa: E402
+import large  # noqa: E402
 import methods  # noqa: E402
 import molecule_runs  # noqa: E402
 import morse_corpus  # noqa: E402
+import operations  # noqa: E402
 import prediction  # noqa: E402
 import replay  # noqa: E402
 import reproduce  # noqa: E402
@@ -43,8 +46,9 @@ SINGULAR = Run(4, {}, "singular", 1, 1)
 EMPTY = Run(4, {}, "no ball has a positive weight", 1, 1)
 
 
-SCRIPTS = (ablation, angles, batch, coarse, corpus, counts, curved_errors, densities, features,
-           implicit, methods, morse_corpus, prediction, replay, second_order, ses_like, subdomains)
+SCRIPTS = (ablation, angles, batch, coarse, complexes, corpus, counts, curved_errors, densities,
+           features, implicit, large, methods, morse_corpus, operations, prediction, replay,
+           second_order, ses_like, subdomains)
 
 
 def uses(script, option):
@@ -229,7 +233,7 @@ class Ends(unittest.TestCase):
             self.assertIn(f"{part[0]} makes a part of features.tsv", said.getvalue())
 
     def test_no_repetition_is_a_wrong_argument(self):
-        for script in (ablation, replay, reproduce):
+        for script in (ablation, large, replay, reproduce):
             for count in ("0", "-1", "x"):
                 with self.subTest(script.__name__), contextlib.redirect_stderr(io.StringIO()):
                     self.assertEqual(self.code_of(script, "--repetitions", count), (2, ""))
@@ -254,7 +258,7 @@ class Ends(unittest.TestCase):
             with contextlib.redirect_stderr(said):
                 code, out = self.code_of(script, "--results", str(self.table.parent))
             self.assertEqual((code, out), (2, ""))
-        self.assertIn("is a folder: name a file, as prediction.md", said.getvalue())
+        self.assertIn("is a folder: name a file, as prediction.tsv", said.getvalue())
 
     def test_a_file_for_the_folder_of_results_is_a_wrong_argument(self):
         self.table.write_text("earlier", encoding="utf-8")
@@ -275,7 +279,7 @@ class Ends(unittest.TestCase):
 
     def test_without_the_corpus_its_molecules_are_named_and_an_earlier_table_stays(self):
         self.table.write_text("earlier", encoding="utf-8")
-        for script in (batch, densities, features, replay, ses_like, subdomains):
+        for script in (batch, densities, features, large, replay, ses_like, subdomains):
             with self.subTest(script.__name__):
                 code, _ = self.code_of(script)
                 self.assertRegex(code, r"molecules has no [\w.*]+(, [\w.*]+)*$")

@@ -19,11 +19,14 @@ CAFFEINE = ["--only", "caffeine"]
 RUNS = {
     "angles.py": [[*CAFFEINE, "--sizes", "0.08", "--goals", "30"]],
     "coarse.py": [[*CAFFEINE, "--pieces", "1", "--sizes", "0.2"]],
+    "complexes.py": [["--only", "5tmn"]],
     "corpus.py": [[*CAFFEINE, "--check"]],
     "counts.py": [["--only", "5tmn"]],
     "features.py": [["--only", "1grm"]],
+    "large.py": [["--only", "1grm", "--repetitions", "1"]],
     "methods.py": [CAFFEINE],
     "morse_corpus.py": [CAFFEINE],
+    "operations.py": [["--only", "c60"]],
     "prediction.py": [[*CAFFEINE, "--largest", "100"], ["--functions", *CAFFEINE]],
     "replay.py": [["--only", "1grm", "--repetitions", "1"]],
     "second_order.py": [CAFFEINE],
@@ -33,6 +36,7 @@ OTHERS = {
     "ablation.py": "needs a program of its own; tests/ablation_test.cpp, tests/reproduce_test.py",
     "batch.py": "its chains are of the corpus",
     "compare.py": "builds; tests/compare_test.py",
+    "corpus_totals.py": "takes tables of corpus.py; tests/corpus_totals_test.py",
     "curved_errors.py": "needs a program of its own",
     "densities.py": "its molecules are of the corpus, or large",
     "fetch.py": "needs a server; tests/fetch_test.py",
@@ -47,8 +51,9 @@ OTHERS = {
 
 
 def run(script, *words):
-    """The script on the bundled molecules; counts.py knows no others."""
-    molecules = [] if script == "counts.py" else ["--molecules", BENCH / "molecules"]
+    """The script on the bundled molecules; counts.py and operations.py know no others."""
+    knows_its_own = script in ("counts.py", "operations.py")
+    molecules = [] if knows_its_own else ["--molecules", BENCH / "molecules"]
     return subprocess.run([sys.executable, BENCH / script, *molecules, *words],
                           capture_output=True, text=True, check=False)
 

@@ -1,5 +1,6 @@
 """The trace of a run holds its tasks, and the replay schedules them as the program does."""
 
+import gzip
 import itertools
 import json
 import pathlib
@@ -107,6 +108,19 @@ class Traces(unittest.TestCase):
         self.assertAlmostEqual(run.seconds(1), total)
         self.assertLess(run.seconds(2), total)
         self.assertGreaterEqual(run.seconds(64), run.critical_path() - 1e-9)
+
+    def test_reading_unpacking_and_writing_are_spans_of_their_own(self):
+        with tempfile.TemporaryDirectory() as folder:
+            packed = pathlib.Path(folder) / "caffeine.xyz.gz"
+            packed.write_bytes(gzip.compress((BUNDLED / "caffeine.xyz").read_bytes()))
+            trace = trace_of(packed, "-C", "0.08", "--threads", "1")
+        total = max(e["ts"] + e["dur"] for e in trace["traceEvents"]) * 1e-6
+        spans = [e["name"] for e in trace["traceEvents"] if e["name"] in replay.FILES]
+        self.assertEqual(set(spans), replay.FILES)
+        self.assertEqual(spans.count("gunzip"), 1)
+        run = replay.Replay(trace, total)
+        self.assertGreater(run.files, 0)
+        self.assertLess(run.files, run.serial)
 
 
 if __name__ == "__main__":

@@ -19,12 +19,18 @@ import ablation  # noqa: E402
 import artifact  # noqa: E402
 import balls  # noqa: E402
 import batch  # noqa: E402
+import complexes  # noqa: E402
+import corpus_totals  # noqa: E402
 import counts  # noqa: E402
 import curved_errors  # noqa: E402
 import densities  # noqa: E402
 import features  # noqa: E402
 import implicit  # noqa: E402
+import large  # noqa: E402
+import methods  # noqa: E402
 import molecule  # noqa: E402
+import operations  # noqa: E402
+import prediction  # noqa: E402
 import replay  # noqa: E402
 import reproduce_tables as tables  # noqa: E402
 import second_order  # noqa: E402
@@ -69,6 +75,13 @@ def texts():
     yield "papers/2.1-molecular-skin.md", counts.weights_sentence(rows)
     yield "papers/4.3-large-molecules.md", counts.coarse_table(rows)
     yield "README.md", counts.coarse_sentence(rows)
+    yield "papers/5-dynamic.md", methods.table(read_rows(RESULTS / "methods.tsv"))
+    rows = read_rows(RESULTS / "prediction.tsv")
+    for text in (prediction.touches_table, prediction.touches_sentence, prediction.guards_table):
+        yield "papers/3.1-morse-functions.md", text(rows)
+    yield ("papers/3.1-morse-functions.md",
+           prediction.functions_table(read_rows(RESULTS / "functions.tsv")))
+    yield from operations.texts(read_rows(RESULTS / "operations.tsv"))
     rows = read_rows(RESULTS / "densities.tsv")
     yield "papers/4.3-large-molecules.md", densities.table(rows)
     yield "papers/4.3-large-molecules.md", densities.sentence(rows)
@@ -77,6 +90,9 @@ def texts():
                                (which_density, "solvers-molecule", "solvers"),
                                (batch, "batch", "batch"),
                                (replay, "replay", "4.3-large-molecules"),
+                               (large, "large", "4.3-large-molecules"),
+                               (complexes, "complexes", "3.2-morse-smale-complex"),
+                               (corpus_totals, "corpus", "4.3-large-molecules"),
                                (features, "features", "features"),
                                (second_order, "second-order", "second-order"),
                                (curved_errors, "curved-errors", "second-order"),
@@ -88,6 +104,11 @@ def texts():
     for page in ("papers/6-implicit-surfaces.md", "papers/lessons/10-results.md"):
         yield page, implicit.sentence(read_rows(RESULTS / "implicit.tsv"))
     yield "papers/features.md", features.sentence(read_rows(RESULTS / "features.tsv"))
+    yield ("papers/3.2-simplification.md",
+           complexes.simplification_sentence(read_rows(RESULTS / "complexes.tsv")))
+    yield "README.md", corpus_totals.sentence(read_rows(RESULTS / "corpus.tsv"))
+    yield "papers/4.3-large-molecules.md", replay.sentence(read_rows(RESULTS / "replay.tsv"))
+    yield "papers/4.3-large-molecules.md", large.sentence(read_rows(RESULTS / "large.tsv"))
     yield "papers/artifact.md", artifact.table(
         measured, scaling, agreement,
         *(read_rows(RESULTS / f"{name}.tsv") for name in ("ablation", "solvers-balls")))

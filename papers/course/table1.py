@@ -169,6 +169,10 @@ def texts(rows, scaling, agreement):
     yield "README.md", readme_table(rows)
     yield "README.md", f"under 10⁻¹¹ Å | {span(speeds)} |"
     yield "README.md", f"serves for comparison, and takes {span(grown)} times the sweep's time"
+    spent = [100 * median(rows, m, "sweep", "seconds_critical_points")
+             / median(rows, m, "sweep", "seconds") for m in tables.PAPER]
+    yield ("papers/6-discussion.md",
+           f"On the molecules of Table 1 a run spends {span(spent)} % of its time on Morse theory")
     one_front = median(rows, "1GRM", "one-front-unsmoothed", "triangles")
     yield "README.md", f"Gramicidin's {one_front:,.0f} triangles take 2.6 MB"
 
