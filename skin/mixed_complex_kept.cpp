@@ -140,8 +140,8 @@ void MixedComplex::for_each_kept_incidence(std::size_t begin, std::size_t end, V
   }
 }
 
-/// Numbers the walls from facets to simplices with N corners, by simplex and facet, behind those
-/// that first_wall_ has of the facet's cell, shifted by one, and counts them there.
+/// Numbers each facet's walls to simplices with N corners, behind those to its own facets, which
+/// first_wall_ counts already, by cell and shifted by one. There they are counted too.
 template <std::size_t N>
 MixedComplex::WallNumbers<N> MixedComplex::number_walls() {
   WallNumbers<N> numbers(simplices<N>().size());
