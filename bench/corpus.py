@@ -37,6 +37,9 @@ def arguments():
     parser = argument_parser(__doc__, timeout=3600, results="results/corpus.tsv")
     parser.add_argument("--method", default="auto", help="default %(default)s")
     parser.add_argument("-C", type=float, default=0.08, help="default %(default)s")
+    parser.add_argument("--angle-goal", type=float, default=0, metavar="DEG",
+                        help="fail where an angle is smaller (default: the command's, which may "
+                             "be missed)")
     parser.add_argument("--jobs", type=int, choices=[1, 2], default=1, help="runs at a time")
     parser.add_argument("--check", action="store_true", help="run `check` on every mesh as well")
     return parser.parse_args()
@@ -66,7 +69,7 @@ class Planned:
         return ["--model", self.model, "-C", str(self.C)]
 
 
-def verdict_of(code, report, complaint):
+def verdict_of(code, report, complaint, angle_goal):
     if code == 4 and "singular" in complaint:
         return "refused: " + complaint
     if code == 0:
@@ -74,6 +77,8 @@ def verdict_of(code, report, complaint):
         for fallback in report["fallbacks"]:
             return (f"FAILED: fell back to {fallback['to']} at component {fallback['component']}: "
                     f"{fallback['why']}")
+        if report["min_angle_deg"] < angle_goal:
+            return f"FAILED: an angle of {report['min_angle_deg']:.2f} degrees"
         if report["certified"] and violations == 0 and report["proved_angle_deg"] >= 30:
             return "certified"
         return "FAILED: exit code 0, but the report disagrees"
@@ -106,18 +111,19 @@ def run(planned, folder, options):
             path = Path(temporary) / "copies.xyzr"
             subprocess.run([ROOT / "bench" / "tile.py", MORSKIN, planned.path, "-n", planned.copies,
                             "-o", path], check=True, capture_output=True)
-        done = mesh(path, planned.model, options.timeout, "--method", options.method,
+        goal = ["--angle-goal", str(options.angle_goal)] if options.angle_goal else []
+        done = mesh(path, planned.model, options.timeout, "--method", options.method, *goal,
                     *planned.words[2:], keep=made if options.check else None)
-        row = row_of(planned, folder, done)
+        row = row_of(planned, folder, done, options.angle_goal)
         if options.check and row["verdict"] == "certified":
             row["verdict"] = verdict_of_check(made, path, planned, done.report, options.timeout)
     return row
 
 
-def row_of(planned, folder, done):
+def row_of(planned, folder, done, angle_goal):
     name = str(planned.path.relative_to(folder)) + (" " + planned.copies).rstrip()
     row = {"file": name, "model": planned.model,
-           "verdict": verdict_of(done.code, done.report, done.complaint)}
+           "verdict": verdict_of(done.code, done.report, done.complaint, angle_goal)}
     keys = {"atoms": "atoms_used", "C": "C", "triangles": "triangles", "area": "area",
             "chi": "euler_characteristic", "chi_expected": "expected_euler_characteristic",
             "components": "components", "genus": "genus", "min_angle": "min_angle_deg",

@@ -1,11 +1,11 @@
 // Meshes many seeded sets of balls and counts how they came out. Each has a process of its own, so
 // that a crash or an endless loop is one failure among the others.
 //
-//   morskin_stress SETS [FIRST_SEED [METHOD [C]]]   all of them, with a line now and then and a
-//                                                   total; METHOD is auto (default), sweep or
-//                                                   static
-//   morskin_stress --balls SEED                     one set's balls as XYZR, for the command
-//                                                   (--model vdw)
+//   morskin_stress SETS [FIRST_SEED [METHOD [C [GOAL]]]]
+//       all of them, with a line now and then and a total; METHOD is auto (default), sweep or
+//       static; a mesh with an angle below GOAL degrees has failed
+//   morskin_stress --balls SEED
+//       one set's balls as XYZR, for the command (--model vdw)
 
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -126,9 +126,11 @@ int main(int count, char** words) {
   morskin::MeshingOptions options;
   const std::string_view method = count >= 4 ? words[3] : "auto";
   const bool is_method = method == "auto" || method == "sweep" || method == "static";
-  if (count == 5) options.sizing.C = std::strtod(words[4], nullptr);
-  if (count < 2 || count > 5 || number(words[1]) == 0 || !is_method || !(options.sizing.C > 0)) {
-    std::fputs("usage: morskin_stress SETS [FIRST_SEED [METHOD [C]]] | --balls SEED\n", stderr);
+  if (count >= 5) options.sizing.C = std::strtod(words[4], nullptr);
+  if (count == 6) options.angle_goal_deg = std::strtod(words[5], nullptr);
+  if (count < 2 || count > 6 || number(words[1]) == 0 || !is_method || !(options.sizing.C > 0)) {
+    std::fputs("usage: morskin_stress SETS [FIRST_SEED [METHOD [C [GOAL]]]] | --balls SEED\n",
+               stderr);
     return 2;
   }
   if (method == "static") options.method = morskin::Method::Static;

@@ -17,7 +17,8 @@ struct Outcome {
 };
 
 /// Meshes and certifies; what the promise of the program forbids is a failure: no certificate, an
-/// angle below the bound, critical points that do not add up, a refusal for another reason.
+/// angle below the bound or the goal that was asked for, critical points that do not add up, a
+/// refusal for another reason.
 inline Outcome outcome_of(const std::vector<geometry::WeightedPoint>& points,
                           const morskin::MeshingOptions& options = {}) {
   using Kind = Outcome::Kind;
@@ -30,6 +31,9 @@ inline Outcome outcome_of(const std::vector<geometry::WeightedPoint>& points,
                              : options.sizing.angle_bound_deg();
     if (!(certificate.proved_angle_deg() >= bound)) {
       return {Kind::Failed, "an angle below the bound", certificate.triangles};
+    }
+    if (certificate.min_angle_deg < options.angle_goal_deg.value_or(0)) {
+      return {Kind::Failed, "an angle below the goal", certificate.triangles};
     }
     if (certificate.euler_characteristic != morskin::euler_characteristic(result.critical_points)) {
       return {Kind::Failed, "critical points that do not add up", certificate.triangles};
