@@ -84,7 +84,6 @@ class AngleImprovement {
     AngleImprovementCounts counts{0, missing_.size()};
     if (missing_.size() > mesh_.surface.triangle_count() / hopeless + 8) return counts;
     for (int depth = 1; depth <= max_depth && missing_.size() > 0; ++depth) {
-      if (depth == max_depth && missing_.size() > max_hard) break;
       const std::vector<Corners> all = missing_.all();
       for (std::size_t i = 0; i < all.size(); ++i) {
         run.report(static_cast<double>(i) / static_cast<double>(all.size()));
@@ -99,17 +98,15 @@ class AngleImprovement {
   }
 
  private:
-  /// So many changes are tried at once, the most for a few triangles only: that takes a thousand
-  /// trials.
-  static constexpr int max_depth = 3;
-  static constexpr std::size_t max_hard = 30;
+  /// So many changes are tried at once.
+  static constexpr int max_depth = 4;
   /// So many triangles are moved into shape after each change, so often.
   static constexpr int max_rounds = 8;
   static constexpr std::size_t max_waiting = 100;
   /// With more than one triangle in so many that misses the goal it will not be reached.
-  static constexpr std::size_t hopeless = 16;
+  static constexpr std::size_t hopeless = 4;
   /// A budget, for goals that few meshes reach.
-  static constexpr std::size_t min_trials = 5000, triangles_to_a_trial = 8;
+  static constexpr std::size_t min_trials = 20000, triangles_to_a_trial = 8;
 
   /// Tries one change after another at a triangle that misses the goal, with up to depth - 1 more
   /// where that leaves another.

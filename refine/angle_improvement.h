@@ -4,7 +4,7 @@
 /// neighbours. For each of them a vertex near it is taken out or one is put in, edges are flipped
 /// until they are Delaunay again, and vertices around are moved (smoothing.h); or only that, for a
 /// stricter goal. If fewer triangles miss the goal then, and none breaks [L] or [U], it stays so;
-/// otherwise all is taken back and the next is tried, in the end two and three changes at once.
+/// otherwise all is taken back and the next is tried, in the end up to four changes at once.
 ///
 /// Source: Freitag & Ollivier-Gooch 1997, moves and changes of connectivity in turn, there for
 /// tetrahedra.

@@ -165,3 +165,19 @@ TEST_CASE(
   CHECK_MESSAGE(result.certificate.certified, result.certificate.reason);
   CHECK(result.fallbacks.empty());  // a second sweep might hide it
 }
+
+TEST_CASE(
+    "forty degrees are reached where moves leave a quarter of the triangles, and where one "
+    "triangle "
+    "needs four changes at once") {
+  // With more than a sixteenth left nothing was tried, and of a few no more than three changes.
+  MeshingOptions options;
+  options.sizing.C = 0.2;
+  options.sizing.Q = certify::Sizing::quality_for(0.2);
+  options.angle_goal_deg = 40;
+  for (const unsigned seed : {184U, 3880U, 4573U, 14497U}) {
+    CAPTURE(seed);
+    const Outcome outcome = outcome_of(nasty_set(seed), options);
+    CHECK_MESSAGE(outcome.kind == Outcome::Kind::Certified, outcome.why);
+  }
+}
