@@ -153,9 +153,9 @@ struct Certificate {
 struct SkinPoint {
   Point normal;                       ///< unit, out of the body
   double length_scale;                ///< the smallest radius of curvature
-  std::array<double, 2> curvatures;   ///< principal, 1/Angstrom, positive where the body is
-                                      ///< convex; the first is the larger in magnitude
-  std::array<Point, 2> directions;    ///< theirs, unit
+  std::array<double, 2> curvatures;   ///< principal, k1 >= k2, 1/Angstrom, positive where the body
+                                      ///< is convex
+  std::array<Point, 2> directions;    ///< theirs, unit; first x second = normal
   std::uint32_t atom;                 ///< nearest by power distance
   std::array<std::int32_t, 4> atoms;  ///< that make the skin here; -1 where fewer
   std::array<double, 4> shares;       ///< theirs: continuous, 1 in sum; 0 where fewer

@@ -31,12 +31,10 @@ SkinPoint outside(const skin::SkinSurface& skin, const surface::SurfacePoint& x,
                   std::uint32_t component) {
   const auto [curvatures, directions] =
       skin.with_patch(x.cell, [&](const skin::Patch& patch) { return skin::curvatures(patch, x); });
-  const bool is_second_larger = std::abs(curvatures[1]) > std::abs(curvatures[0]);
-  const std::size_t first = is_second_larger ? 1 : 0, second = 1 - first;
   SkinPoint result{.normal = outside(x.normal),
                    .length_scale = x.length_scale,
-                   .curvatures = {curvatures[first], curvatures[second]},
-                   .directions = {outside(directions[first]), outside(directions[second])},
+                   .curvatures = curvatures,
+                   .directions = {outside(directions[0]), outside(directions[1])},
                    .atom = skin.nearest_atom(x.position, x.cell).value,
                    .atoms = {-1, -1, -1, -1},
                    .shares = {},

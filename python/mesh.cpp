@@ -85,11 +85,11 @@ void bind_arrays(py::class_<Mesh>& mesh) {
       .def_property_readonly("length_scales", column(&SkinPoint::length_scale),
                              "(n,) float64: smallest radius of curvature, Angstrom")
       .def_property_readonly("curvatures", column(&SkinPoint::curvatures),
-                             "(n, 2) float64: principal curvatures, 1/Angstrom, positive where the "
-                             "body is convex;\nthe first is the larger in magnitude")
+                             "(n, 2) float64: principal curvatures, k1 >= k2, 1/Angstrom, positive "
+                             "where the body is convex")
       .def_property_readonly("directions", column(&SkinPoint::directions),
                              "(n, 2, 3) float64: principal directions, unit, in the order of "
-                             "`curvatures`")
+                             "`curvatures`;\nfirst x second = normal")
       .def_property_readonly("atoms", column(&SkinPoint::atom),
                              "(n,) uint32: atom of the least power distance, counted from 0")
       .def_property_readonly(

@@ -1,6 +1,7 @@
 // The library's face, as its users see it: only what is installed and the standard library.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -139,9 +140,13 @@ TEST_CASE("the Gaussian curvature adds up to 2 pi times the Euler characteristic
             std::sqrt(dot(area, area)) / 6 * points[v].curvatures[0] * points[v].curvatures[1];
         sum += part;
         total += std::abs(part);
-        CHECK(std::abs(points[v].curvatures[0]) >= std::abs(points[v].curvatures[1]) * (1 - 1e-12));
-        CHECK(std::abs(points[v].curvatures[0]) ==
+        const auto& [k1, k2] = points[v].curvatures;
+        CHECK(k1 >= k2);
+        CHECK(std::max(std::abs(k1), std::abs(k2)) ==
               doctest::Approx(1 / points[v].length_scale).epsilon(1e-9));
+        const Point& normal = points[v].normal;
+        CHECK(dot(cross(points[v].directions[0], points[v].directions[1]), normal) ==
+              doctest::Approx(1));
       }
     }
     // Curvature jumps where patches meet, and a triangle there has some of both.

@@ -47,9 +47,8 @@ class Meshes(ModuleTest):
         told = np.load(self.folder / "told.npz")
         np.testing.assert_array_equal(told["vertices"], mesh.vertices)
         np.testing.assert_array_equal(told["atom"], mesh.atoms)
-        # The larger first here, the larger in magnitude first there.
-        np.testing.assert_allclose(np.column_stack([told["k1"], told["k2"]]),
-                                   -np.sort(-mesh.curvatures, axis=1), rtol=1e-12)
+        np.testing.assert_allclose(np.column_stack([told["k1"], told["k2"]]), mesh.curvatures,
+                                   rtol=1e-12)
         self.assertNotIn("share1", told)
         mesh.save(self.folder / "all.npz", vertex_data="all")
         self.assertIn("share1", np.load(self.folder / "all.npz"))
@@ -118,15 +117,21 @@ class Meshes(ModuleTest):
         mesh = morskin.Skin(*BALLS).mesh(**COARSE)
         curvatures, directions = mesh.curvatures, mesh.directions
         self.assertEqual(directions.shape, (len(mesh.vertices), 2, 3))
-        self.assertTrue((abs(curvatures[:, 0]) >= abs(curvatures[:, 1])).all())
-        np.testing.assert_allclose(abs(curvatures[:, 0]) * mesh.length_scales, 1)
+        np.testing.assert_allclose(abs(curvatures).max(axis=1) * mesh.length_scales, 1)
         np.testing.assert_allclose((directions * mesh.normals[:, None]).sum(axis=2), 0, atol=1e-9)
-        np.testing.assert_allclose((directions[:, 0] * directions[:, 1]).sum(axis=1), 0, atol=1e-9)
+        np.testing.assert_allclose(np.cross(directions[:, 0], directions[:, 1]), mesh.normals,
+                                   atol=1e-9)
         # About the x axis the neck is as wide as its circle is round, along it hollow.
         is_neck = curvatures.min(axis=1) < 0
         self.assertTrue(is_neck.any())
-        hollow = directions[np.arange(len(curvatures)), curvatures.argmin(axis=1)][is_neck]
+        hollow = directions[is_neck, 1]
         np.testing.assert_allclose(np.cross(hollow, mesh.normals[is_neck])[:, 0], 0, atol=1e-9)
+
+    def test_the_first_curvature_is_the_larger_in_pits_too(self):
+        mesh = morskin.Skin([[0, 0, 0], [2, 0, 0], [1, 1.7, 0]], [1.5, 1.5, 1.5]).mesh(**COARSE)
+        k1, k2 = mesh.curvatures.T
+        self.assertTrue((k1 >= k2).all())
+        self.assertTrue((k1 < -k2).any())
 
     def test_components_are_those_of_the_mesh(self):
         mesh = morskin.Skin([[0, 0, 0], [9, 0, 0]], [1, 2]).mesh(**COARSE)
