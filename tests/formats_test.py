@@ -192,6 +192,19 @@ class Formats(CommandTest):
             origin = self.check("m.vert", code=None)["origin"]
             self.assertTrue(origin["coordinates_match"] and origin["faces_match"])
 
+    def test_without_their_header_msms_s_files_are_tables_as_pygbe_and_pbj_read_them(self):
+        for decimals in ([], ["--decimals", "3"]):
+            self.meshed("-o", "m.vert", "-C", "0.3", *decimals)
+            tables = []
+            for name, kind in (("m.vert", float), ("m.face", int)):
+                rows = (self.folder / name).read_text().split("\n", 3)[3]
+                (self.folder / name).write_text(rows)
+                tables.append(numpy.loadtxt(self.folder / name, dtype=kind))
+            vertices, faces = tables
+            self.assertEqual((vertices.shape[1], faces.shape[1]), (9, 5))
+            self.assertEqual((faces[:, :3].min(), faces[:, :3].max()), (1, len(vertices)))
+            self.assertEqual(self.check("m.vert", code=None)["triangles"], len(faces))
+
     def test_a_file_whose_digits_spoil_triangles_is_refused_and_leaves_nothing(self):
         far = "".join(f"{9e5 + 1.4 * k} 0 0 1.7\n" for k in range(3))
         (self.folder / "far.xyzr").write_text(far)
