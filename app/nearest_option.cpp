@@ -46,27 +46,50 @@ std::optional<std::string> with_other_case(const CLI::App& app, char letter) {
   return std::nullopt;
 }
 
+/// With their hyphens.
+std::vector<std::string> long_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : in_use(app)) {
+    for (const CLI::Option* option : command->get_options()) {
+      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+  }
+  return names;
+}
+
+/// Whether the words of the part, between hyphens, stand in the whole.
+bool has_words(std::string_view whole, std::string_view part) {
+  const std::string words = std::string(part.substr(1)) + "-";
+  return (std::string(whole) + "-").find(words) != std::string::npos;
+}
+
+/// "--probe" for "--probe-radius", "--biological-assembly" for "--assembly"; of several
+/// the longest.
+std::optional<std::string> of_same_words(const CLI::App& app, std::string_view word) {
+  std::optional<std::string> longest;
+  for (const std::string& name : long_names(app)) {
+    if (!has_words(word, name) && !has_words(name, word)) continue;
+    if (!longest || name.size() > longest->size()) longest = name;
+  }
+  return longest;
+}
+
 }  // namespace
 
 std::optional<std::string> nearest_option(const CLI::App& app, std::string_view word) {
   word = word.substr(0, word.find('='));
   if (word.size() == 2 && word[0] == '-' && word[1] != '-') return with_other_case(app, word[1]);
-  if (!word.starts_with("--")) return std::nullopt;
+  if (!word.starts_with("--") || word == "--") return std::nullopt;
   std::optional<std::string> nearest;
   std::size_t least = word.size() / 3;  // a third of the letters may be wrong
-  for (const CLI::App* command : in_use(app)) {
-    for (const CLI::Option* option : command->get_options()) {
-      for (const std::string& name : option->get_lnames()) {
-        const std::string full = "--" + name;
-        const bool is_start = word.size() > 3 && full.starts_with(word);
-        const std::size_t distance = is_start ? 1 : edit_distance(word, full);
-        if (distance > least || (nearest && distance == least)) continue;
-        least = distance;
-        nearest = full;
-      }
-    }
+  for (const std::string& name : long_names(app)) {
+    const bool is_start = word.size() > 3 && name.starts_with(word);
+    const std::size_t distance = is_start ? 1 : edit_distance(word, name);
+    if (distance > least || (nearest && distance == least)) continue;
+    least = distance;
+    nearest = name;
   }
-  return nearest;
+  return nearest ? nearest : of_same_words(app, word);
 }
 
 }  // namespace morskin::app

@@ -49,14 +49,14 @@ class Failures(CommandTest):
         self.assertIn(b"--fronts", done.stderr)
 
     def test_a_refused_option_names_its_nearest_relative_if_it_has_one(self):
-        for word, meant in (("--densty", "--density"), ("--chains", "--chain"),
-                            ("--water", "--waters"), ("--anglegoal", "--angle-goal"),
-                            ("--vertex-dat=all", "--vertex-data"), ("--sise=0.7", "--size"),
-                            ("--tri", "--triangles"), ("-c", "-C"), ("-O", "-o")):
+        for word, meant in (("--densty", "--density"), ("-c", "-C"), ("-O", "-o"),
+                            ("--anglegoal", "--angle-goal"), ("--probe-radius=1", "--probe"),
+                            ("--assembly", "--biological-assembly"), ("--sise=0.7", "--size"),
+                            ("--vertex-dat=all", "--vertex-data"), ("--tri", "--triangles")):
             with self.subTest(word):
                 said = self.run_morskin("mesh", self.ring, "-o", "m.ply", word, code=2).stderr
                 self.assertIn(f"did you mean {meant}?".encode(), said)
-        for word in ("--nonsense", "-Z", "--", "--x"):
+        for word in ("--nonsense", "-Z", "--", "--=", "--x"):
             said = self.run_morskin("mesh", self.ring, "-o", "m.ply", word, "1", code=2).stderr
             self.assertNotIn(b"did you mean", said, word)
         self.assertIn(b"did you mean --help?", self.run_morskin("--hlep", code=2).stderr)
