@@ -23,7 +23,7 @@ Radii = Union[str, "PathLike[str]", Mapping[str, float], None]
 Progress = Optional[Callable[[str, Optional[float]], Any]]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Molecule:
     """Atoms of a molecule.
 
@@ -41,6 +41,9 @@ class Molecule:
 
     def __len__(self) -> int:
         return len(self.radii)
+
+    def __repr__(self) -> str:
+        return f"<morskin.Molecule: {len(self)} atoms>"
 
     def skin(self, model: Model = "vdw", **options: Any) -> Skin:
         """The skin of these atoms; `model` and the options are those of `Skin`."""

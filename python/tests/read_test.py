@@ -97,6 +97,10 @@ class Reading(ModuleTest):
         with self.assertRaisesRegex(morskin.RefusedInput, "tells of no biological assembly"):
             morskin.read(file, biological_assembly="\udce9")
 
+    def test_a_molecule_is_shown_in_one_line_not_as_all_its_numbers(self) -> None:
+        self.assertEqual(repr(morskin.read(MOLECULES / "1crn.pdb")),
+                         "<morskin.Molecule: 327 atoms>")
+
     def test_charges_are_those_of_a_pqr_file_in_the_order_of_its_atoms(self) -> None:
         file = self.folder / "a.pqr"
         file.write_text("ATOM 1 N ALA 1 0 0 0 -0.3 1.5\nATOM 2 H ALA 1 1 0 0 0.25 0\n"
