@@ -10,6 +10,7 @@
 #include "geometry/error.h"
 #include "geometry/stopwatch.h"
 #include "morskin/feature_data.h"
+#include "morskin/mesh_statements.h"
 
 namespace morskin::app {
 namespace {

@@ -13,11 +13,6 @@
 
 namespace morskin::app {
 
-constexpr std::string_view certified_verdict = "certified", other_verdict = "not certified";
-/// Of STL and GLB, in single precision, and of MSMS's files with --decimals: they hold no point of
-/// the skin, and are not certified themselves.
-constexpr std::string_view rounded_verdict = "certified before rounding";
-
 /// The origin of the meshes of one run.
 class MeshOrigin {
  public:

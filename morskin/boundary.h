@@ -18,6 +18,7 @@
 #include "morskin/method.h"
 #include "morskin/morskin.h"
 #include "morskin/prepared_skin.h"
+#include "skin/model.h"
 #include "skin/molecule.h"
 #include "skin/singular_skin.h"
 
@@ -26,6 +27,7 @@ namespace morskin {
 struct Skin::Prepared {
   PreparedSkin skin;
   std::size_t rounded_coordinates;
+  SkinOptions options;
 };
 
 inline std::vector<std::uint32_t> outside(const std::vector<geometry::AtomId>& ids) {
@@ -68,6 +70,8 @@ inline Point outside(const geometry::Point& p) { return {p.x(), p.y(), p.z()}; }
 
 inline Run inside(const RunOptions& run) { return Run(run.threads, run.progress, run.stop); }
 
+/// @throws geometry::RefusedInput  for a number that is none of them
+skin::Model inside(Model model);
 /// @throws geometry::RefusedInput  for a corner that does not exist
 geometry::IndexedMesh inside(const TriangleMesh& mesh);
 /// @throws geometry::RefusedInput  for more than one limit of the sizes of triangles

@@ -29,20 +29,6 @@ TriangleMesh outside(geometry::IndexedMesh mesh) {
   return result;
 }
 
-skin::Model inside(Model model) {
-  switch (model) {
-    case Model::Sas:
-      return skin::Model::Sas;
-    case Model::Vdw:
-      return skin::Model::Vdw;
-    case Model::SesLike:
-      return skin::Model::SesLike;
-    case Model::Paper:
-      return skin::Model::Paper;
-  }
-  throw geometry::RefusedInput("the model is none of Paper, Sas, Vdw and SesLike");
-}
-
 skin::ReadOptions inside(const ReadOptions& options) {
   skin::ReadOptions result;
   skin::Selection& selection = result.selection;
@@ -141,6 +127,20 @@ std::pair<PreparedSkin, std::size_t> prepared(std::span<const Atom> atoms,
 }
 
 }  // namespace
+
+skin::Model inside(Model model) {
+  switch (model) {
+    case Model::Sas:
+      return skin::Model::Sas;
+    case Model::Vdw:
+      return skin::Model::Vdw;
+    case Model::SesLike:
+      return skin::Model::SesLike;
+    case Model::Paper:
+      return skin::Model::Paper;
+  }
+  throw geometry::RefusedInput("the model is none of Paper, Sas, Vdw and SesLike");
+}
 
 geometry::IndexedMesh inside(const TriangleMesh& mesh) {
   geometry::IndexedMesh result;
@@ -255,7 +255,7 @@ void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& file) {
 Skin::Skin(std::span<const Atom> atoms, const SkinOptions& options, const RunOptions& run)
     : prepared_(with_errors([&] {
         auto [skin, rounded] = prepared(atoms, options, inside(run));
-        return std::make_shared<const Prepared>(Prepared{std::move(skin), rounded});
+        return std::make_shared<const Prepared>(Prepared{std::move(skin), rounded, options});
       })) {}
 
 std::size_t Skin::rounded_coordinates() const { return prepared_->rounded_coordinates; }

@@ -16,6 +16,7 @@
 #include "morse/simplification.h"
 #include "morskin/boundary.h"
 #include "morskin/mesh_attributes.h"
+#include "morskin/mesh_statements.h"
 #include "morskin/rounded_mesh.h"
 #include "morskin/traced_complex.h"
 #include "skin/atom_shares.h"
@@ -212,17 +213,21 @@ std::filesystem::path SkinMesh::write(const std::filesystem::path& file,
         known == geometry::MeshFormat::Npz || known == geometry::MeshFormat::Glb;
     const bool is_single = known && geometry::is_single(*known);
     if (is_single && certificate().certified) require_exact_enough(mesh, file);
-    if (vertex_data.empty() && !has_normals) {
-      geometry::write_mesh(name, mesh, geometry::plain_format_of(file));
-      return name;
+    const bool is_plain = vertex_data.empty() && !has_normals;
+    const geometry::MeshFormat format =
+        is_plain ? geometry::plain_format_of(file) : format_with_data(file);
+    geometry::MeshAttributes beside;
+    if (!is_plain) {
+      const skin::SkinSurface& skin = skin_.prepared_->skin.surface;
+      const auto cells = certify::cells_of(certify::locate_vertices(mesh, skin, steps));
+      steps.report(geometry::unknown_share);
+      beside = mesh_attributes(skin, mesh, cells, data_called(vertex_data));
+      beside.normals = skin_normals(skin, mesh, cells);
+      steps.report(geometry::unknown_share);
     }
-    const geometry::MeshFormat format = format_with_data(file);
-    const skin::SkinSurface& skin = skin_.prepared_->skin.surface;
-    const auto cells = certify::cells_of(certify::locate_vertices(mesh, skin, steps));
-    steps.report(geometry::unknown_share);
-    geometry::MeshAttributes beside = mesh_attributes(skin, mesh, cells, data_called(vertex_data));
-    beside.normals = skin_normals(skin, mesh, cells);
-    steps.report(geometry::unknown_share);
+    const std::string_view verdict = is_single ? rounded_verdict : certified_verdict;
+    beside.provenance = statements(skin_.prepared_->options, sizing(),
+                                   certificate().certified ? verdict : other_verdict);
     const std::string bytes = geometry::serialized(mesh, format, beside);
     steps.report(geometry::unknown_share);
     geometry::write_file_atomically(name, bytes);

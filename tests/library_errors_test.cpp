@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <stop_token>
 #include <string>
@@ -261,4 +263,26 @@ TEST_CASE("two balls that just touch are singular, and the error knows them") {
     CHECK(error.kind() == Error::Kind::Singular);
     CHECK(error.atoms() == std::vector<std::uint32_t>{1, 2});
   }
+}
+
+TEST_CASE("a file of the library says its model, sizes and verdict") {
+  const morskin::support::TemporaryFolder folder;
+  const auto says = [](const std::filesystem::path& file, const std::string& statement) {
+    std::ifstream in(file, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    return text.find("# morskin: " + statement) != std::string::npos;
+  };
+  const Skin skin(three_atoms, {.model = morskin::Model::Sas, .probe = 0.5, .drop_voids_below = 3});
+  const auto file = skin.mesh({.C = 0.4, .edge_length = 0.5}).write(folder / "a.off");
+  for (const char* const statement : {"version ", "model sas\n", "probe 0.5\n", "voids 3\n",
+                                      "C 0.4\n", "Q 2.4", "size 0.", "verdict certified\n"}) {
+    CAPTURE(statement);
+    CHECK(says(file, statement));
+  }
+  const SkinMesh bad = Skin(three_atoms, balls).mesh({.C = 0.9, .Q = 1.9, .angle_goal_deg = 0});
+  const auto unverified = bad.write(folder / "b.off");
+  for (const char* const statement : {"model vdw\n", "voids keep\n", "verdict not certified\n"}) {
+    CHECK(says(unverified, statement));
+  }
+  for (const char* const other : {"probe", "size"}) CHECK_FALSE(says(unverified, other));
 }

@@ -83,6 +83,16 @@ class Features(ModuleTest):
         self.expect_equal(morskin.features(file, C=0.2, angle_goal_deg=38),
                           self.of_command(file, "-C", "0.2", "--angle-goal", "38"))
 
+    def test_check_takes_model_and_sizes_from_a_mesh_that_was_saved(self):
+        file = MOLECULES / "caffeine.xyz"
+        mesh = morskin.read(file).mesh(model="sas", probe=0.5, density=5, drop_voids_below=3)
+        for name in ("m.ply", "m.vtu", "m.msh"):
+            done = subprocess.run([COMMAND, "check", mesh.save(self.folder / name), "--against",
+                                   file], check=True, stdout=subprocess.PIPE)
+            self.assertIn(b"model, probe, voids, C, Q, size from the mesh file", done.stdout)
+        with np.load(mesh.save(self.folder / "m.npz")) as archive:
+            self.assertEqual(archive["probe"], 0.5)
+
     def test_arrays_outlive_each_other_and_may_be_written_to(self):
         vertices = morskin.features(MOLECULES / "caffeine.xyz")["vertices"]
         first = vertices.copy()
