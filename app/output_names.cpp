@@ -103,8 +103,7 @@ void print_beside(const std::filesystem::path& output, const std::string& report
 
 bool is_special(const std::filesystem::path& path) {
   std::error_code ignored;
-  return is_standard_output(path) || (std::filesystem::exists(path, ignored) &&
-                                      !std::filesystem::is_regular_file(path, ignored));
+  return geometry::is_written_directly(path) || std::filesystem::is_directory(path, ignored);
 }
 
 void check_not_input(const std::filesystem::path& output, const MoleculeArguments& molecule) {

@@ -31,7 +31,7 @@ bool takes_standard_output(const MeshArguments& mesh);
 /// Prints a report on standard output, or on standard error where the output takes that.
 void print_beside(const std::filesystem::path& output, const std::string& report);
 
-/// Standard output, a device, a pipe: no regular file.
+/// A standard stream, a device, a pipe; a folder too, which whoever opens it refuses.
 bool is_special(const std::filesystem::path& path);
 
 /// Whether two names are of one file, however they are written.

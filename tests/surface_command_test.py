@@ -4,9 +4,10 @@
 import json
 import os
 import shutil
+import subprocess
 import zipfile
 
-from support.command import MOLECULES, CommandTest, main
+from support.command import MOLECULES, CommandTest, main, morskin
 
 USERS = "formula:x^4+y^4+z^4-1-sin(2*x)*cos(y)/4"
 COARSE = ("-C", "0.2")
@@ -219,6 +220,12 @@ class Surfaces(CommandTest):
         done = self.run_morskin("mesh", "--surface", "sphere:1", "-o", "/dev/null", *COARSE,
                                 "--report", "/dev/null", "--json")
         self.assertEqual(json.loads(done.stdout)["outputs"], ["/dev/null"])
+
+    def test_standard_error_takes_a_mesh_where_it_is_a_file_too(self):
+        with open(self.folder / "error.ply", "wb") as file:
+            subprocess.run([morskin(), "mesh", "--surface", "sphere:1", "-o", "/dev/stderr", "-q",
+                            *COARSE], stderr=file, check=True)
+        self.check("error.ply", "--surface", "sphere:1", *COARSE)
 
     def test_the_same_surface_gives_the_same_bytes(self):
         for threads in ("1", "3"):
