@@ -47,7 +47,7 @@ std::vector<std::filesystem::path> renamed_outputs(const MeshArguments& mesh) {
 // Names that the run chooses itself: of what belongs to uncertified meshes, and snapshots.
 void check_not_given_otherwise(const std::filesystem::path& name, const MeshArguments& mesh) {
   for (const std::filesystem::path& output : renamed_outputs(mesh)) {
-    if (one_name(name) == one_name(unverified_name(output))) {
+    if (is_same_file(name, unverified_name(output))) {
       throw UsageError(name.string() + " is where " + output.string() +
                        " goes when it is not certified; choose another name");
     }
@@ -108,11 +108,11 @@ bool is_special(const std::filesystem::path& path) {
 
 void check_not_input(const std::filesystem::path& output, const MoleculeArguments& molecule) {
   if (output.empty()) throw UsageError("an output's name is empty");
-  if (molecule.input.empty()) return;  // a surface of another kind
-  if (!is_special(output) && one_name(output) == one_name(molecule.input)) {
+  if (molecule.input.empty() || is_special(output)) return;  // no input: another surface
+  if (is_same_file(output, molecule.input)) {
     throw UsageError(output.string() + " would replace the input; choose another name");
   }
-  if (!is_special(output) && molecule.radii && one_name(output) == one_name(*molecule.radii)) {
+  if (molecule.radii && is_same_file(output, *molecule.radii)) {
     throw UsageError(output.string() + " would replace the radii; choose another name");
   }
 }
@@ -126,7 +126,7 @@ void check_outputs(const MeshArguments& mesh) {
     if (is_special(names[i])) continue;
     check_not_given_otherwise(names[i], mesh);
     for (std::size_t j = 0; j < i; ++j) {
-      if (one_name(names[i]) == one_name(names[j])) {
+      if (is_same_file(names[i], names[j])) {
         throw UsageError(names[i].string() + " is named twice");
       }
     }
