@@ -12,9 +12,9 @@ using geometry::Vector;
 
 namespace {
 
-/// The circumcentre as the first corner plus a vector: Cramer's rule in numbers of any kind.
-template <class Number>
-Vector circumcentre_offset(const std::array<const Point*, 4>& p) {
+/// The vector from the first corner to the circumcentre: Cramer's rule.
+Vector offset_in_106_bits(const std::array<const Point*, 4>& p) {
+  using Number = geometry::DoubleDouble;
   std::array<std::array<Number, 3>, 3> e{
       {{Number::difference(p[1]->x(), p[0]->x()), Number::difference(p[1]->y(), p[0]->y()),
         Number::difference(p[1]->z(), p[0]->z())},
@@ -50,7 +50,7 @@ Point circumcentre(const std::array<const Point*, 4>& p) {
   const double det = a.dot(bc);
   const double longest = std::max({aa, bb, cc});
   if (det * det <= flat_share * flat_share * longest * longest * longest) {
-    return *p[0] + circumcentre_offset<geometry::DoubleDouble>(p);
+    return *p[0] + offset_in_106_bits(p);
   }
   return *p[0] + (aa * bc + bb * c.cross(a) + cc * a.cross(b)) / (2 * det);
 }
