@@ -4,8 +4,6 @@
 #include <array>
 #include <cstdint>
 
-#include "certify/tube.h"
-
 namespace morskin::refine {
 
 namespace {

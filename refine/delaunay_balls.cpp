@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "certify/tube.h"
 #include "refine/delaunay_refinement.h"
 
 namespace morskin::refine {

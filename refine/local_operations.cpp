@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "certify/delaunay_filter.h"
-#include "certify/tube.h"
 #include "geometry/sort_unique.h"
 
 namespace morskin::refine {

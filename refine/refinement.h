@@ -5,7 +5,6 @@
 /// for [U], until neither is left. Where [U] alone does not imply the certificate's conditions (c1)
 /// and (c2), insertion breaks what does not meet these as well.
 
-#include "certify/delaunay_filter.h"
 #include "refine/local_operations.h"
 
 namespace morskin::refine {

@@ -7,7 +7,6 @@
 #include <tuple>
 #include <utility>
 
-#include "certify/tube.h"
 #include "geometry/orthogonal.h"
 
 namespace morskin::refine {
