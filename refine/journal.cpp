@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geometry/sort_unique.h"
+#include "refine/mesh_operations.h"
 
 namespace morskin::refine {
 
@@ -32,14 +33,6 @@ void Journal::note_move(VertexId v, const SurfacePoint& from) {
   changes_.push_back({Kind::Move, {v, v, v, v}, from});
 }
 
-HalfEdgeId Journal::half_edge(VertexId from, VertexId to) const {
-  HalfEdgeId found = HalfEdgeId::none();
-  mesh_.surface.for_each_outgoing(from, [&](HalfEdgeId h) {
-    if (mesh_.surface.target(h) == to) found = h;
-  });
-  return found;
-}
-
 std::size_t Journal::exchanged() const {
   return static_cast<std::size_t>(std::ranges::count_if(changes_, [](const Change& c) {
     return c.kind == Kind::Insertion || c.kind == Kind::Removal;
@@ -52,13 +45,13 @@ void Journal::undo(std::size_t first, std::vector<SurfaceMesh::FreeSlots>& free_
     const auto [v, a, b, c] = vertices;
     switch (kind) {
       case Kind::Flip:
-        mesh_.surface.flip(half_edge(v, a));
+        mesh_.surface.flip(half_edge_between(mesh_.surface, v, a));
         break;
       case Kind::Insertion:
         free_slots.push_back(mesh_.surface.unsplit(v));
         break;
       case Kind::Removal: {
-        HalfEdgeId h = half_edge(a, b);
+        const HalfEdgeId h = half_edge_between(mesh_.surface, a, b);
         mesh_.surface.split(SurfaceMesh::triangle(h), free_slots.back());
         free_slots.pop_back();
         mesh_.points[v] = point;

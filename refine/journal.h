@@ -44,8 +44,6 @@ class Journal {
     SurfacePoint point;  ///< of a vertex removed or moved, before
   };
 
-  HalfEdgeId half_edge(VertexId from, VertexId to) const;
-
   Mesh& mesh_;
   std::vector<Change> changes_;
 };

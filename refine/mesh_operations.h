@@ -31,6 +31,15 @@ bool can_flip(const SurfaceMesh& mesh, const At& at, HalfEdgeId h) {
   return c != d && faces_outward(at, a, d, c) && faces_outward(at, b, c, d) && !mesh.has_edge(c, d);
 }
 
+/// The half-edge from one vertex to another; none() where no edge joins them.
+inline HalfEdgeId half_edge_between(const SurfaceMesh& mesh, VertexId from, VertexId to) {
+  HalfEdgeId found = HalfEdgeId::none();
+  mesh.for_each_outgoing(from, [&](HalfEdgeId h) {
+    if (mesh.target(h) == to) found = h;
+  });
+  return found;
+}
+
 /// Removes one end of a short edge, the other stays in place. The bound in [L] is that of the end
 /// with the larger length scale, so that one is tried first.
 /// @param remove  VertexId -> whether it could be removed
@@ -161,11 +170,7 @@ bool VertexRemoval::plan(const SurfaceMesh& mesh, VertexId v, const Size& size,
 template <class Flipped>
 SurfaceMesh::FreeSlots VertexRemoval::carry_out(SurfaceMesh& mesh, const Flipped& flipped) {
   for (const auto& ear : std::span(cut_).first(cut_.size() - 1)) {
-    const VertexId tip = ear[1];
-    HalfEdgeId to_tip;
-    mesh.for_each_outgoing(vertex_, [&](HalfEdgeId h) {
-      if (mesh.target(h) == tip) to_tip = h;
-    });
+    const HalfEdgeId to_tip = half_edge_between(mesh, vertex_, ear[1]);
     mesh.flip(to_tip);
     flipped(to_tip);
   }
