@@ -150,9 +150,7 @@ geometry::MeshFormat format_of(const std::filesystem::path& path) {
 }
 
 bool takes_vertex_data(const std::filesystem::path& path) {
-  constexpr std::array formats{MeshFormat::PlyBinary, MeshFormat::Vtu, MeshFormat::Glb,
-                               MeshFormat::Npz, MeshFormat::Msh};
-  return std::ranges::find(formats, format_of(path)) != formats.end();
+  return geometry::has_vertex_data(format_of(path));
 }
 
 bool takes_second_order(const std::filesystem::path& path) {

@@ -94,11 +94,8 @@ morse::MorseSmaleComplex surviving(morse::Simplification simplified) {
 
 /// The format of a file with data by vertex.
 geometry::MeshFormat format_with_data(const std::filesystem::path& file) {
-  using enum geometry::MeshFormat;
   const std::optional<geometry::MeshFormat> format = geometry::mesh_format_of(file);
-  for (const geometry::MeshFormat known : {PlyBinary, Vtu, Glb, Npz, Msh}) {
-    if (format == known) return known;
-  }
+  if (format && geometry::has_vertex_data(*format)) return *format;
   throw geometry::RefusedInput(file.string() +
                                ": only .ply, .vtu, .glb, .npz and .msh hold data by vertex");
 }

@@ -59,6 +59,9 @@ std::filesystem::path plain_name(const std::filesystem::path& path);
 std::string serialized(const IndexedMesh& mesh, MeshFormat format,
                        const MeshAttributes& attributes = {});
 
+/// Whether a format holds attributes of vertices.
+bool has_vertex_data(MeshFormat format);
+
 /// Whether a format has curved triangles: Vtu and Msh.
 bool has_second_order(MeshFormat format);
 /// The bytes of a mesh of curved triangles. @param attributes  of all nodes, and of the triangles

@@ -1,5 +1,8 @@
 // The bytes of meshes, by format.
 
+#include <algorithm>
+#include <array>
+
 #include "geometry/files/mesh_files.h"
 #include "geometry/files/mesh_formats.h"
 
@@ -32,6 +35,12 @@ std::string serialized(const IndexedMesh& mesh, MeshFormat format,
       return mesh_formats::msms_faces(mesh, attributes);
   }
   return {};
+}
+
+bool has_vertex_data(MeshFormat format) {
+  constexpr std::array formats{MeshFormat::PlyBinary, MeshFormat::Vtu, MeshFormat::Glb,
+                               MeshFormat::Npz, MeshFormat::Msh};
+  return std::ranges::find(formats, format) != formats.end();
 }
 
 bool has_second_order(MeshFormat format) {
