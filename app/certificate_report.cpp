@@ -72,19 +72,17 @@ std::string doubts_about(const certify::Sizing& sizing) {
   return doubts;
 }
 
-std::string proved_text(const Certificate& c) {
-  return std::string("homeomorphic to the skin, ") +
-         (c.violations_L == 0 ? "[L] and [U] hold" : "[U] holds, no angle is below 30 degrees");
-}
-
-std::string certified_text(const Certificate& c) { return "certified: " + proved_text(c); }
-
 std::string extent_text(double area, double volume, bool is_closed) {
   return line("extent", "area " + brief(area, 6) + " A^2" +
                             (is_closed ? ", volume " + brief(volume, 6) + " A^3" : ""));
 }
 
 namespace {
+
+std::string proved_text(const Certificate& c) {
+  return std::string("homeomorphic to the skin, ") +
+         (c.violations_L == 0 ? "[L] and [U] hold" : "[U] holds, no angle is below 30 degrees");
+}
 
 /// What a certificate asks of angles: those claimed, or what [L] and [U] imply. Where [L] is broken
 /// and the angles are known all the same it goes by these.
@@ -95,6 +93,8 @@ double angle_bound_deg(const Certificate& c, const certify::Sizing& sizing) {
 }
 
 }  // namespace
+
+std::string certified_text(const Certificate& c) { return "certified: " + proved_text(c); }
 
 std::string measures_text(const Certificate& c, const certify::Sizing& sizing) {
   std::string text = extent_text(c.area, c.volume, c.holds(certify::Claim::Manifold)) +

@@ -89,8 +89,7 @@ std::string replacement_text(const morskin::Fallback& fallback);
 /// What is not proved beforehand of such a C and Q, in a sentence; empty in the range of the
 /// theory.
 std::string doubts_about(const certify::Sizing& sizing);
-/// What is proved of a certified mesh, in words; and with "certified: " before it.
-std::string proved_text(const certify::Certificate& certificate);
+/// "certified: " and what is proved of a certified mesh, in words.
 std::string certified_text(const certify::Certificate& certificate);
 /// What `morskin check --against` tells.
 nlohmann::ordered_json certificate_json(const certify::Certificate& certificate);

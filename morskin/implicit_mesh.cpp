@@ -52,6 +52,23 @@ morse::CriticalPoint critical_point(const implicit::PreparedSurface& prepared,
   return result;
 }
 
+/// The sweep's guide: all critical points, none simplified away, in spheres that do not overlap.
+/// @param radius_share  of a sphere over the length scale, at most
+morse::Guide guide_of(const implicit::PreparedSurface& prepared, double radius_share) {
+  morse::Guide guide;
+  guide.is_simplified = false;
+  guide.function = morse::MorseFunction::height(prepared.critical.directions.height());
+  guide.found = prepared.critical.counts();
+  std::vector<morse::ProtectingSpheres::Incidence> incidences;
+  for (const implicit::CriticalHeight& found : prepared.critical.points) {
+    incidences.emplace_back(only_cell, morse::CriticalId{guide.points.size()});
+    guide.points.push_back(critical_point(prepared, found, guide.function));
+  }
+  guide.spheres = {guide.points, morse::disjoint_radii(guide.points, radius_share),
+                   std::move(incidences), 1};
+  return guide;
+}
+
 /// By vertex, the component of the mesh, of those numbered by their first triangle; no_index for a
 /// vertex of no triangle.
 std::vector<std::uint32_t> components_of_triangles(const geometry::IndexedMesh& mesh) {
@@ -146,21 +163,6 @@ void require_usable_here(const MeshingOptions& options) {
 }
 
 }  // namespace
-
-morse::Guide guide_of(const implicit::PreparedSurface& prepared, double radius_share) {
-  morse::Guide guide;
-  guide.is_simplified = false;
-  guide.function = morse::MorseFunction::height(prepared.critical.directions.height());
-  guide.found = prepared.critical.counts();
-  std::vector<morse::ProtectingSpheres::Incidence> incidences;
-  for (const implicit::CriticalHeight& found : prepared.critical.points) {
-    incidences.emplace_back(only_cell, morse::CriticalId{guide.points.size()});
-    guide.points.push_back(critical_point(prepared, found, guide.function));
-  }
-  guide.spheres = {guide.points, morse::disjoint_radii(guide.points, radius_share),
-                   std::move(incidences), 1};
-  return guide;
-}
 
 std::vector<std::optional<std::uint32_t>> components_at_minima(
     const geometry::IndexedMesh& mesh, const implicit::PreparedSurface& prepared) {

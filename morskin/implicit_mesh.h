@@ -17,10 +17,6 @@
 
 namespace morskin {
 
-/// The sweep's guide: all critical points, none simplified away, in spheres that do not overlap.
-/// @param radius_share  of a sphere over the length scale, at most
-morse::Guide guide_of(const implicit::PreparedSurface& surface, double radius_share);
-
 /// By proved minimum, in their order, the component of the mesh whose image under the flow is the
 /// surface's component that the minimum lies on; nothing where no vertex is shown to be so near.
 /// Components are numbered by their first triangle.
