@@ -233,7 +233,7 @@ void Certifier::check_triangle(std::size_t t, TriangleFindings& found,
   const LocatedMesh on = located();
   const LocatedMesh::CornerPoints points = on.corners(corner);
   const Corners p = points;
-  const TriangleBounds shape = triangle_bounds(p[0]->position, p[1]->position, p[2]->position);
+  const TriangleBounds shape = on.shape(corner);
   const double rho = min_length_scale(p);
   const double u = sizing_.triangle_ratio(shape.circumradius, rho);
   out.worst_U = std::max(out.worst_U, u);

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "certify/covering_degree.h"
+#include "certify/located_vertices.h"
 #include "surface/topology.h"
 
 namespace morskin::certify {
