@@ -32,7 +32,7 @@ extern "C" void end_for_lack_of_time(int) {
   ::_exit(static_cast<int>(ExitCode::LimitReached));
 }
 
-// The first number in a file, if there is one.
+// A number in a file, the first if not told which; nothing if there is none.
 std::optional<std::uint64_t> number_in(const char* path, int field = 0) {
   std::ifstream file(path);
   std::uint64_t number = 0;
