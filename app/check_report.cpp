@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "app/report.h"
-#include "app/selection_arguments.h"
 #include "app/strict_json.h"
 #include "app/surface_report.h"
 

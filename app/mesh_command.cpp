@@ -22,7 +22,6 @@
 #include "app/side_file.h"
 #include "app/staged_outputs.h"
 #include "certify/located_vertices.h"
-#include "geometry/error.h"
 #include "geometry/exact_range.h"
 #include "geometry/files/mesh_files.h"
 #include "geometry/stopwatch.h"

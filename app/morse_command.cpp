@@ -6,7 +6,6 @@
 #include "app/progress.h"
 #include "app/report.h"
 #include "app/staged_outputs.h"
-#include "geometry/error.h"
 #include "morskin/traced_complex.h"
 
 namespace morskin::app {

@@ -1,7 +1,6 @@
 #include "geometry/expansion.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace morskin::geometry {
 

@@ -1,7 +1,6 @@
 #include "geometry/orthosphere.h"
 
 #include <cassert>
-#include <cmath>
 #include <optional>
 
 #include "geometry/predicates_internal.h"

@@ -1,7 +1,6 @@
 #include "geometry/triangle_contact.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "geometry/expansion.h"
 #include "geometry/predicates.h"
