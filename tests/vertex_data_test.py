@@ -15,6 +15,28 @@ from support.command import MOLECULES, CommandTest, main
 GROUPS = ["normal", "curvature", "directions", "scale", "atom", "shares", "component", "patch",
           "residue", "charge"]
 
+# Record, name, residue, chain, number, insertion code, x, element: a minus, an insertion code, and
+# what CSV has between quotation marks.
+ATOMS = [("ATOM", "N", "ALA", "A", "-1", " ", 0, "N"),
+         ("ATOM", "CA", "ALA", "A", "-1", " ", 1.5, "C"),
+         ("ATOM", "N", "GLY", "A", "52", " ", 9, "N"),
+         ("ATOM", "N", "GLY", "A", "52", "A", 18, "N"),
+         ("ATOM", "CA", "GLY", "A", "52", "A", 19.5, "C"),
+         ("HETATM", 'C"', "L,G", "B", "52", " ", 29, "C")]
+
+
+def pdb_text():
+    line = "{:6}    1  {:3} {} {}{:>4}{}   {:8.3f}   0.000   0.000  1.00  0.00          {:>2}\n"
+    return "".join(line.format(*atom) for atom in ATOMS)
+
+
+def cif_text():
+    tags = ("group_PDB", "label_atom_id", "label_comp_id", "auth_asym_id", "auth_seq_id",
+            "pdbx_PDB_ins_code", "Cartn_x", "type_symbol", "Cartn_y", "Cartn_z")
+    row = "{} '{}' {} {} {} '{}' {} {} 0 0\n"
+    return "data_a\nloop_\n" + "".join(f"_atom_site.{tag}\n" for tag in tags) + "".join(
+        row.format(*atom).replace("' '", "?") for atom in ATOMS)
+
 
 class VertexData(CommandTest):
     def meshed(self, *words, molecule=MOLECULES / "1crn.pdb"):
@@ -182,6 +204,30 @@ class VertexData(CommandTest):
         self.assertAlmostEqual(sums["residue"], sums["total"], places=8)
         self.assertAlmostEqual(sums["total"] / report["area"], 1, places=5)
         self.assertEqual(rows[0]["residue"], "THR")
+
+    def test_rows_of_areas_name_the_file_s_atoms_and_add_those_of_one_residue(self):
+        for file, text, first_line in (("a.pdb", pdb_text(), 1), ("a.cif", cif_text(), 13)):
+            self.input(file, text)
+            self.meshed("-o", "m.ply", "--areas", "areas.csv", molecule=file)
+            with open(self.folder / "areas.csv", newline="") as table:
+                header, *rows = csv.reader(table)
+            self.assertEqual(header, "of atom line chain residue_number residue name element radius"
+                                     " area".split())
+            areas = [float(row.pop()) for row in rows]
+            expected, sums = [], {}
+            for i, (_, name, residue, chain, number, code, _, element) in enumerate(ATOMS):
+                radius = {"C": "1.7", "N": "1.55"}[element]
+                place = (chain, number + code.strip(), residue)
+                expected.append(["atom", str(i + 1), str(first_line + i), *place, name, element,
+                                 radius])
+                sums[place] = sums.get(place, 0) + areas[i]
+                if i in (2, 5):  # alone
+                    ball = 4 * math.pi * float(radius)**2
+                    self.assertAlmostEqual(areas[i] / ball, 1, delta=0.05)
+            expected += [["residue", "", "", *place, "", "", ""] for place in sums]
+            self.assertEqual(rows, [*expected, ["total", *[""] * 8]])
+            for found, area in zip(areas[len(ATOMS):], sums.values()):
+                self.assertAlmostEqual(found, area, places=9)
 
     def test_standard_output_gets_what_is_told_too(self):
         told = self.run_morskin("mesh", self.ring, "-o", "-", "--vertex-data", "normal", "-q")
