@@ -4,7 +4,7 @@
 import json
 
 from support.command import CommandTest, main
-from support.pdb_texts import ATOMS, MODELS
+from support.pdb_texts import ASSEMBLY, ATOMS, MODELS
 
 
 class Selections(CommandTest):
@@ -178,6 +178,22 @@ class Selections(CommandTest):
         self.run_morskin("morse", "two.pdb", "--chain", "A", "-o", "a.json", "-q")
         self.run_morskin("view", "a.ply", "--against", "two.pdb", "--chain", "A", "-o", "a.html",
                          "-q")
+
+    def test_each_option_of_a_selection_is_taken_from_the_mesh(self):
+        self.input("two.pdb", ASSEMBLY + MODELS)
+        each = (("chain", "B"), ("hetatm", "none"), ("altloc", "A"), ("altloc", "all"),
+                ("hydrogens", "drop"), ("waters", None), ("model-number", "4"),
+                ("biological-assembly", "1"))
+        for option, value in each:
+            with self.subTest(option, value=value):
+                words = [f"--{option}"] + ([value] if value else [])
+                made = self.mesh_json("two.pdb", "-o", "m.ply", "-C", "0.4", *words)
+                checked = self.check("m.ply", "--against", "two.pdb")
+                self.assertIn(option, checked["origin"]["taken"])
+                self.assertEqual(checked["selection"], made["selection"])
+                self.forget_origin("m.ply")
+                self.check("m.ply", "--against", "two.pdb", "-C", "0.4", code=5)
+                self.check("m.ply", "--against", "two.pdb", "-C", "0.4", *words)
 
     def test_what_the_file_does_not_have_is_refused_and_what_it_has_is_named(self):
         self.assertIn("has no chain C; choose from A, B", self.complaint("--chain", "A,C", code=4))
