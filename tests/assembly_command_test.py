@@ -142,6 +142,8 @@ class Assemblies(CommandTest):
         self.input("b.cif", cif(atoms, {"1": IDENTITY, "2": shift},
                                 [("1", "1,2", "A"), ("1", "2,2", "A,B")]))
         self.assertEqual(names("b.cif"), ["A", "A-2", "A-2"])
+        report = self.mesh_json("b.cif", "-o", "m.ply", "--biological-assembly", "1", "-C", "0.3")
+        self.assertEqual(report["atoms_skipped_by_reason"]["other_chains"], 1)
         # A chain that looks like a copy.
         self.input("c.cif", cif([*atoms[:1], ("D", "A-2", "C", 9, 9, 0)],
                                 {"1": IDENTITY, "2": shift}, [("1", "1,2", "A,D")]))
@@ -249,6 +251,13 @@ class Assemblies(CommandTest):
         self.input("old.pdb", remark_350([IDENTITY], "A") + added + "\n" + text)
         self.check(self.positions("old.pdb", "--biological-assembly", "1"),
                    [[1, 2, 3], [2, 2, 53]])
+
+    def test_of_an_old_file_the_chain_without_a_name_is_null_and_lines_end_before_its_code(self):
+        lines = remark_350([IDENTITY, (IDENTITY[0], [0, 0, 50])], "NULL").splitlines()[1:]
+        lines = [f"{line:72}1ABC {number}" for number, line in enumerate(lines, 100)]
+        lines.append("HETATM    1  O   HOH     1       1.000   2.000   3.000")
+        self.input("old.pdb", "\n".join(lines))
+        self.check(self.positions("old.pdb", "--biological-assembly", "1"), [[1, 2, 3], [1, 2, 53]])
 
     def test_names_of_chains_without_commas_between_are_all_taken(self):
         text = "".join(f"HETATM    {i}  O   HOH {c}   {i}       {i}.000   2.000   3.000\n"
