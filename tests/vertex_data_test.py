@@ -122,6 +122,27 @@ class VertexData(CommandTest):
         numpy.testing.assert_array_equal(ply.point_data["k2"], vertex["k2"])
         numpy.testing.assert_array_equal(ply.point_data["atom"], vertex["atom"])
 
+    def test_patches_and_directions_agree_with_the_atoms_and_the_normals_of_the_vertices(self):
+        self.meshed("-o", "m.npz", "-o", "m.vert", "--vertex-data", "all")
+        a = numpy.load(self.folder / "m.npz")
+        atoms = sum(a[f"atom{i}"] >= 0 for i in (1, 2, 3, 4))
+        kinds = numpy.array([0, 3, 1, 2, 2])  # MSMS's, by the number of atoms that make a patch
+        for name, column, made_by in (("m.vert", 8, atoms), ("m.face", 3, a["face_patch"] + 1)):
+            told = numpy.loadtxt(self.folder / name, skiprows=3, usecols=column, dtype=int)
+            numpy.testing.assert_array_equal(told, kinds[made_by])
+        of_corners = atoms[a["faces"]]
+        is_inside = of_corners.min(axis=1) == of_corners.max(axis=1)
+        agree = a["face_patch"][is_inside] + 1 == of_corners[is_inside, 0]
+        self.assertGreater(agree.mean(), 0.95)  # the middle may lie in another cell
+        first, second = (numpy.array([a[f"{k}{axis}"] for axis in "xyz"]).T for k in ("k1", "k2"))
+        numpy.testing.assert_allclose(numpy.cross(first, second), a["normals"], atol=1e-12)
+        # Along an edge the normal turns as curvatures and directions say, nearly.
+        start, end = a["faces"][:, 0], a["faces"][:, 1]
+        edge, turn = (a[of][end] - a[of][start] for of in ("vertices", "normals"))
+        told = sum((k * (edge * d).sum(axis=1))[:, None] * d
+                   for k, d in ((a["k1"][start], first[start]), (a["k2"][start], second[start])))
+        self.assertGreater((turn * told).sum(), 0.8 * math.sqrt((turn**2).sum() * (told**2).sum()))
+
     def test_a_word_that_is_no_group_is_refused_with_those_that_are(self):
         said = self.run_morskin("mesh", self.ring, "-o", "m.ply", "--vertex-data", "normals",
                                 code=2).stderr.decode()
