@@ -143,6 +143,16 @@ class VertexData(CommandTest):
                    for k, d in ((a["k1"][start], first[start]), (a["k2"][start], second[start])))
         self.assertGreater((turn * told).sum(), 0.8 * math.sqrt((turn**2).sum() * (told**2).sum()))
 
+    def test_residues_and_chains_are_those_of_the_nearest_atom(self):
+        self.input("a.pdb", pdb_text())
+        self.meshed("-o", "m.npz", "--vertex-data", "atom,residue", molecule="a.pdb")
+        told = numpy.load(self.folder / "m.npz")
+        self.assertEqual(set(told["atom"]), set(range(6)))
+        numpy.testing.assert_array_equal(told["residue"],
+                                         numpy.array([0, 0, 1, 2, 2, 3])[told["atom"]])
+        numpy.testing.assert_array_equal(told["chain"],
+                                         numpy.array([0, 0, 0, 0, 0, 1])[told["atom"]])
+
     def test_a_word_that_is_no_group_is_refused_with_those_that_are(self):
         said = self.run_morskin("mesh", self.ring, "-o", "m.ply", "--vertex-data", "normals",
                                 code=2).stderr.decode()
