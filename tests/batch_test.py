@@ -28,11 +28,17 @@ class Rows(Batch):
             for output in outputs:
                 one = (self.folder / ("one" + Path(output).suffix)).read_bytes()
                 self.assertEqual(made[output], one)
-            self.assertEqual((rows[name]["status"], rows[name]["triangles"]),
-                             ("ok", report["triangles"]))
+            told = {key: report[key] for key in ("vertices", "triangles", "area", "min_angle_deg",
+                                                 "components", "genus")}
+            told |= {"status": "ok", "atoms": report["atoms_used"],
+                     "input_sha256": report["provenance"]["input-sha256"],
+                     "vertices_per_square_angstrom":
+                         report["quality"]["vertices_per_square_angstrom"]}
+            self.assertEqual({key: rows[name][key] for key in told}, told)
         triangles = sorted(row["triangles"] for row in rows.values())
-        self.assertEqual([summary["triangles"][k] for k in ("least", "median", "most")],
-                         [triangles[0], triangles[2], triangles[4]])
+        self.assertEqual([summary["triangles"][k] for k in (
+            "least", "5%", "25%", "median", "75%", "95%", "most")],
+            [triangles[k] for k in (0, 0, 1, 2, 3, 4, 4)])
         self.assertEqual(summary["triangles"]["sum"], sum(triangles))
 
     def test_the_summary_rounds_no_number_of_the_rows(self):
