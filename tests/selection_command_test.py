@@ -50,6 +50,22 @@ class Selections(CommandTest):
                 self.assertEqual((info["atoms"], info[reason]), (atoms, count))
                 self.assertIn("selection", info)
 
+    def test_what_has_no_radius_or_no_element_is_counted_as_that_and_nothing_else(self):
+        water = "ATOM 3 O HOH A 2 9 0 0 -0.8 1.5\n"
+        self.input("zero.pqr", "ATOM 1 N ALA A 1 0 0 0 0.1 1.5\nATOM 2 H ALA A 1 1 0 0 0.1 0\n" +
+                   water)
+        unknown = "HETATM    8  UNK UNX A   9      20.000   0.000   0.000  1.00  0.00           X"
+        self.input("unknown.pdb", ATOMS[:ATOMS.index("ATOM      5")] + unknown + "\n")
+        for file, counts, words in (
+                ("zero.pqr", {"waters": 1, "zero_radii": 1}, "1 of water, 1 of radius 0"),
+                ("unknown.pdb", {"alternates": 1, "unknown_elements": 1},
+                 "1 in alternate locations, 1 of unknown element")):
+            told = json.loads(self.run_morskin("info", file, "--json").stdout)
+            made = self.mesh_json(file, "-o", "m.ply", "-C", "0.4")["atoms_skipped_by_reason"]
+            self.assertEqual({reason: count for reason, count in made.items() if count}, counts)
+            self.assertEqual({reason: told[f"skipped_{reason}"] for reason in made}, made)
+            self.assertIn(f" {words}\n", self.run_morskin("info", file).stdout.decode())
+
     def balls(self, name, text, *words):
         """Places along x and radii of what is read of a file."""
         self.input(name, text)
