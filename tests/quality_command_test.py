@@ -101,6 +101,30 @@ class Quality(CommandTest):
             self.assertIn(share, text)
             self.assertIn(f"valences    {quality['min_valence']} to {quality['max_valence']}", text)
 
+    def test_people_are_told_the_steps_of_the_method_that_the_report_counts(self):
+        told = self.run_morskin("mesh", MOLECULES / "5tmn_ligand.pdb", "-o", "m.ply", "-C", "0.25",
+                                "--fronts", "1", "--report", "r.json").stdout.decode()
+        report = json.loads((self.folder / "r.json").read_text())
+        n = {name: f"{count:,}" for name, count in report["operations"].items()}
+        critical, left = ([counts[kind] for kind in ("minima", "saddles", "maxima")]
+                          for counts in (report, report["surviving"]))
+        for minima, saddles, maxima in (critical, left):
+            self.assertEqual(minima - saddles + maxima, report["euler_characteristic"])
+        smoothing = report["smoothing"]
+        for line in (
+                "critical    {} minima - {} saddles + {} maxima; {} - {} + {} survive".format(
+                    *critical, *left),
+                f"sweep       {n['creation']} created, {n['creep']} crept, {n['wing']} winged, "
+                f"{n['bridge']} bridged, {n['seal']} sealed",
+                f"touches     {n['guard_inside_protecting']} in protecting spheres, "
+                f"{n['guard_outside_protecting']} outside, of which {n['vain_inside_protecting']} "
+                f"and {n['vain_outside_protecting']} futile",
+                f"coarsening  {n['coarsen']} vertices taken out",
+                f"refinement  {n['flip']} flips, {n['contract']} contractions, {n['insert']} ins",
+                f"smoothing   {smoothing['moved']} vertices moved for angles of 30 degrees, "
+                f"{smoothing['reconnected'] + smoothing['inserted']} taken out or put in"):
+            self.assertIn(f"\n  {line}", told)
+
     def test_people_are_told_bounds_on_the_side_where_they_hold(self):
         for C in ("0.2", "0.25", "0.3", "0.35"):
             self.run_morskin("mesh", self.ring, "-C", C, "-o", "m.off", "-q")
