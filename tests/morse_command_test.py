@@ -4,6 +4,7 @@
 import base64
 import collections
 import json
+import math
 import struct
 import xml.etree.ElementTree
 
@@ -35,7 +36,28 @@ class Morse(CommandTest):
         for low, first, high, second in complex_["regions"]:
             self.assertEqual([points[i]["index"] for i in (low, first, high, second)], [0, 1, 2, 1])
             self.assertLessEqual({(a, e) for a in (first, second) for e in (low, high)}, arcs)
+        self.check_counts(complex_)
         return left
+
+    def check_counts(self, complex_):
+        """Points before and after are as many as are told, and of each pair cancelled it is told
+        which extremum its saddle's arcs lead to now."""
+        points, kinds = complex_["critical_points"], ("minima", "saddles", "maxima")
+        left = [p for p in points if p["survives"]]
+        for told, found in ((complex_["before"], points), (complex_["after"], left)):
+            count = collections.Counter(kinds[p["index"]] for p in found)
+            self.assertEqual({kind: told[kind] for kind in kinds},
+                             {kind: count[kind] for kind in kinds})
+        for name in ("arcs", "regions"):
+            self.assertEqual(complex_["after"][name], len(complex_[name]))
+        self.assertEqual(complex_["cancelled_pairs"], len(complex_["cancelled"]))
+        for pair in complex_["cancelled"]:
+            saddle, extremum, heir = (points[pair[key]] for key in ("saddle", "extremum", "heir"))
+            self.assertFalse(saddle["survives"] or extremum["survives"])
+            self.assertEqual(saddle["index"], 1)
+            self.assertEqual(extremum["index"], heir["index"])
+            self.assertNotEqual(extremum["id"], heir["id"])
+            self.assertAlmostEqual(pair["persistence"], abs(saddle["value"] - extremum["value"]))
 
     def test_the_raw_complex_of_a_torus_has_every_promised_key_and_belongs_together(self):
         torus = self.morse_json(self.ring, "--model", "sas", "--probe", "0", "--raw")
@@ -101,12 +123,17 @@ class Morse(CommandTest):
             self.assertEqual(len(arrays["CellData", name]), cells)
         self.assertEqual(arrays["CellData", "index"][:len(points)], [p["index"] for p in points])
         self.assertEqual(arrays["CellData", "value"][:len(points)], [p["value"] for p in points])
+        for name in ("id", "survives"):
+            self.assertEqual(arrays["CellData", name][:len(points)], [p[name] for p in points])
+        self.assertEqual(arrays["PointData", "value"][:len(points)], [p["value"] for p in points])
         positions = arrays["Points", "Points"]
         ends = [0, *arrays["Cells", "offsets"]]
         cell = len(points)
         for number, arc in enumerate(arcs):
             walked = []
             while cell < cells and arrays["CellData", "arc"][cell] == number:
+                self.assertEqual([arrays["CellData", name][cell] for name in ("id", "index")],
+                                 [arc["saddle"], points[arc["extremum"]]["index"]])
                 walked.append(arrays["Cells", "connectivity"][ends[cell]:ends[cell + 1]])
                 cell += 1
             self.assertTrue(all(a[1] == b[0] for a, b in zip(walked, walked[1:])))
@@ -122,6 +149,18 @@ class Morse(CommandTest):
         self.assertEqual(len(values), 2)
         self.assertAlmostEqual(values[0], 2.5 ** 2)
         self.assertAlmostEqual(values[1], 5.5 ** 2)
+
+    def test_points_say_on_which_patch_they_lie_and_how_much_it_bends(self):
+        row = self.input("row.xyzr", "0 0 0 2\n2 0 0 2\n")
+        complex_ = self.morse_json(row, "--raw", "--function", "height:0.1,1,0.2")
+        found = {(p["index"], p["patch"]) for p in complex_["critical_points"]}
+        self.assertEqual(found, {(0, "vertex"), (1, "edge"), (2, "vertex")})
+        for point in complex_["critical_points"]:
+            x, y, z = point["position"]
+            if point["index"] == 1:  # on the neck, whose centre is half way
+                self.assertAlmostEqual(point["length_scale"], math.hypot(x - 1, y, z))
+            else:
+                self.assertAlmostEqual(point["length_scale"], 2)
 
     def test_the_complex_on_standard_output_is_alone_there_and_json(self):
         done = self.run_morskin("morse", self.ring, "-o", "-")
