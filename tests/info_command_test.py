@@ -2,6 +2,7 @@
 """What info tells of a molecule. Usage: info_command_test.py path/to/morskin"""
 
 import json
+import math
 import resource
 import subprocess
 
@@ -28,6 +29,31 @@ class Info(CommandTest):
     def test_one_neck_is_not_told_of_as_several(self):
         said = self.run_morskin("info", MOLECULES / "two_balls.xyzr").stdout.decode()
         self.assertRegex(said, r"  necks       1, of radius \S+ A; it forces \d+ triangles\n")
+
+    def test_a_neck_s_and_a_tunnel_s_radius_and_place_are_those_of_two_and_of_three_balls(self):
+        pair = self.input("pair.xyzr", "1 2 3 2\n3 2 3 2\n")
+        ring = "".join("{} {} 5 2\n".format(*(3 * f(2 * math.pi * k / 3) for f in (
+            math.cos, math.sin))) for k in range(3))
+        for file, name, radius, place in (
+                (pair, "necks", math.sqrt(2**2 - 2**2 / 8), [2, 2, 3]),
+                (self.input("ring3.xyzr", ring), "tunnels", math.sqrt((3**2 - 2 * 2**2) / 2),
+                 [0, 0, 5])):
+            found = json.loads(self.run_morskin("info", file, "--json").stdout)[name]
+            self.assertEqual(found["count"], 1)
+            self.assertAlmostEqual(found["narrowest"][0]["radius"], radius, places=5)
+            for told, expected in zip(found["narrowest"][0]["at"], place):
+                self.assertAlmostEqual(told, expected, places=9)
+
+    def test_radii_are_those_of_the_atoms_and_patch_radii_those_of_the_model(self):
+        balls = self.input("balls.xyzr", "0 0 0 1.5\n9 0 0 1\n18 0 0 2\n18 0 0 2\n")
+        words = ("info", balls, "--model", "sas", "--probe", "0.5")
+        told = json.loads(self.run_morskin(*words, "--json").stdout)
+        self.assertEqual([told[f"{radius}_{end}"] for radius in ("radius", "patch_radius")
+                          for end in ("min", "max")], [1, 2, 1.5, 2.5])
+        self.assertEqual((told["duplicates"], told["hidden"]), (1, 1))
+        said = self.run_morskin(*words).stdout.decode()
+        self.assertIn("radii       1 to 2 A, as in the file\n", said)
+        self.assertIn("patches     1.5 to 2.5 A, model sas, probe 0.5 A\n", said)
 
     def test_waters_are_kept_when_asked(self):
         words = (MOLECULES / "9dna.pdb", "--json")
