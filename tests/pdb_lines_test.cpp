@@ -52,3 +52,20 @@ TEST_CASE("what begins in column 55 behind a blank has moved nothing, and is rea
   line[53] = ' ';  // z has two decimals
   CHECK(parse_molecule(line, "a.pdb").atoms[0].position.z() == -3.25);
 }
+
+TEST_CASE("charges, numbers in hybrid-36 and what is told beside the atoms change no atom") {
+  const Molecule molecule = parse_molecule(
+      "HETATM    1 NA   LIG A   1       0.000   0.000   0.000  1.00  0.00           N1+\n"
+      "ANISOU    1 NA   LIG A   1     2406   1892   1614    198    519   -328       N1+\n"
+      "HETATM    2 CA   LIG A   1       9.000   0.000   0.000  1.00  0.00          FE2+\n"
+      "ATOM  A0000  CA  ALA aA000      18.000   0.000   0.000  1.00  0.00           C\n"
+      "SIGATM    3  CA  ALA aA000       0.030   0.030   0.030  0.00  0.00           C\n"
+      "ATOM  A0001  O   ALA a-999      28.000   0.000   0.000  1.00  0.00           O1-\n"
+      "TER   A0002      ALA a-999\nCONECT    1    2\n",
+      "a.pdb");
+  CHECK(elements_of(molecule) == "N Fe C O");
+  REQUIRE(molecule.atoms.size() == 4);
+  CHECK(describe(molecule.atoms[1]) == "atom CA of LIG 1 chain A (line 3)");
+  CHECK(describe(molecule.atoms[2]) == "atom CA of ALA A000 chain a (line 4)");
+  CHECK(describe(molecule.atoms[3]) == "atom O of ALA -999 chain a (line 6)");
+}
