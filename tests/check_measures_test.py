@@ -32,6 +32,18 @@ class Measures(CommandTest):
             found = self.check("m.off", code=5 if defects else 0)["defects"]
             self.assertEqual({name: defect["count"] for name, defect in found.items()}, defects)
 
+    def test_what_is_found_and_what_is_expected_are_told_apart(self):
+        self.run_morskin("mesh", self.ring, "-o", "m.ply", "-q", "-C", "0.3")
+        self.input("apart.xyzr", "0 0 0 1\n9 0 0 2\n")
+        for against, expected, code in ((self.ring, (1, 1, 0), 0), ("apart.xyzr", (2, 0, 4), 5)):
+            told = self.check("m.ply", "--against", against, code=code)
+            for start, counts in (("", (1, 1, 0)), ("expected_", expected)):
+                self.assertEqual(tuple(told[start + name] for name in (
+                    "components", "genus", "euler_characteristic")), counts)
+            self.assertEqual(told["covering_degree_ok"], code == 0)
+            self.assertGreater(told["proved_angle_deg"], told["min_angle_deg"] - 1e-6)
+            self.assertLessEqual(told["proved_angle_deg"], told["min_angle_deg"])
+
     def checked_ball(self):
         """A mesh of a ball with one vertex moved out, and what `check` finds of it."""
         self.input("ball.xyzr", "{} {} {} {}\n".format(*CENTRE, RADIUS))
