@@ -108,7 +108,9 @@ def texts():
            complexes.simplification_sentence(read_rows(RESULTS / "complexes.tsv")))
     yield "README.md", corpus_totals.sentence(read_rows(RESULTS / "corpus.tsv"))
     yield "papers/4.3-large-molecules.md", replay.sentence(read_rows(RESULTS / "replay.tsv"))
-    yield "papers/4.3-large-molecules.md", large.sentence(read_rows(RESULTS / "large.tsv"))
+    rows = read_rows(RESULTS / "large.tsv")
+    yield "papers/4.3-large-molecules.md", large.sentence(rows)
+    yield "README.md", large.readme_sentence(rows)
     yield "papers/artifact.md", artifact.table(
         measured, scaling, agreement,
         *(read_rows(RESULTS / f"{name}.tsv") for name in ("ablation", "solvers-balls")))
