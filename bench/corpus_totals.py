@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Totals of the corpus by C and model, from tables that corpus.py wrote with one C each.
 
-    bench/corpus.py -C 0.2 --largest 4000 --results results/corpus-0.2.tsv
+    bench/corpus.py -C 0.2 --largest 5000 --results results/corpus-0.2.tsv
     bench/corpus_totals.py results/corpus-*.tsv
 
 One line for each C and model, in papers/results/corpus.tsv: molecules and how many are certified at
