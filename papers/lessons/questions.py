@@ -158,7 +158,7 @@ LESSONS = {
                            1: "A handle takes two away.",
                            16: "Handles count negatively."}),
         "run": Run("Mesh `bench/molecules/caffeine.xyz` with `--method` marching-cubes. How many "
-                   "triangles break [U]?",
+                   "triangles break [U]? With `--json` the report has it, as violations_U.",
                    "mesh caffeine.xyz --method marching-cubes", ["violations_U"]),
         "explain": Formula(
             "Along the flow G must change by g, and |N| is n at the start. Give the longest "
