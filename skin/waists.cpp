@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace morskin::skin {
@@ -57,11 +58,36 @@ std::vector<Point> circle_points(const SkinSurface& skin, CellId cell, const Pat
   return found;
 }
 
+/// How far a cell goes from its axis in a direction across, Angstrom.
+double reach_across(const SkinSurface& skin, CellId cell, const Patch& patch,
+                    const Vector& direction) {
+  double distance = std::numeric_limits<double>::infinity();
+  for (const Wall& wall : skin.complex().kept_walls(cell)) {
+    const double cosine = wall.normal.dot(direction);
+    if (is_across(wall, patch.axis) || cosine <= 0) continue;
+    distance = std::min(distance, (wall.offset - wall.normal.dot(patch.centre)) / cosine);
+  }
+  return distance;
+}
+
 /// At a distance s from the circle's plane the hyperboloid has rho^2 = c^2 + 2 s^2, and a ring of
-/// it the area 2 pi rho ds.
-double demand(double radius, double below, double above) {
+/// it the area 2 pi rho ds. In each direction across the axis it leaves the cell where its distance
+/// from the axis, sqrt(c^2 + s^2), is that of the walls there.
+double demand(const SkinSurface& skin, CellId cell, const Patch& patch, double radius, double below,
+              double above) {
+  constexpr int directions = 32;
+  const Vector u = patch.axis.unitOrthogonal(), v = patch.axis.cross(u);
   const auto to = [&](double s) { return std::asinh(M_SQRT2 * s / radius); };
-  return M_PI * M_SQRT2 * (to(below) + to(above));
+  double sum = 0;
+  for (int i = 0; i < directions; ++i) {
+    const double angle = 2 * M_PI * i / directions;
+    const double to_wall =
+        reach_across(skin, cell, patch, std::cos(angle) * u + std::sin(angle) * v);
+    if (to_wall <= radius) continue;
+    const double end = std::sqrt((to_wall - radius) * (to_wall + radius));
+    sum += to(std::min(below, end)) + to(std::min(above, end));
+  }
+  return M_PI * M_SQRT2 * sum / directions;
 }
 
 }  // namespace
@@ -84,8 +110,8 @@ std::vector<Waist> waists(const SkinSurface& skin) {
     if (on_skin.empty()) continue;
     const double below = reach(skin, cell, patch, -patch.axis, farthest);
     const double above = reach(skin, cell, patch, patch.axis, farthest);
-    found.push_back(
-        {cell, is_tunnel, patch.centre, radius, demand(radius, below, above), std::move(on_skin)});
+    found.push_back({cell, is_tunnel, patch.centre, radius,
+                     demand(skin, cell, patch, radius, below, above), std::move(on_skin)});
   }
   std::ranges::sort(found, {}, [](const Waist& w) { return std::pair(w.radius, w.cell.value); });
   return found;

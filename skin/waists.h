@@ -12,12 +12,10 @@ namespace morskin::skin {
 
 struct Waist {
   CellId cell;
-  bool is_tunnel;  ///< or else a neck
-  Point centre;    ///< the orthocentre of the cell's atoms
-  double radius;   ///< of the circle, Angstrom
-  /// The integral of rho^-2 over the hyperboloid, as far as the cell goes along its axis. Above the
-  /// true one where other cells cut into the hyperboloid, as they do in wide waists.
-  double demand;
+  bool is_tunnel;              ///< or else a neck
+  Point centre;                ///< the orthocentre of the cell's atoms
+  double radius;               ///< of the circle, Angstrom
+  double demand;               ///< the integral of rho^-2 over the hyperboloid's part in the cell
   std::vector<Point> on_skin;  ///< of the circle, in the cell, at least one of each arc there
 };
 

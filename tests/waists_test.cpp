@@ -44,6 +44,37 @@ TEST_CASE("a waist demands the integral over its hyperboloid") {
   }
 }
 
+TEST_CASE("of a hyperboloid that other cells cut a waist demands the part in its cell") {
+  std::vector<WeightedPoint> cube{{{0, 0, 0}, 2.5}};
+  for (int i = 0; i < 8; ++i) {
+    cube.push_back({{2.0 * (i & 1) - 1, 1.0 * (i & 2) - 1, 0.5 * (i & 4) - 1}, 1.9});
+  }
+  const double w = 1.15;  // a tunnel of radius 0.3
+  const std::vector<WeightedPoint> ring{
+      {{0, 0, 0}, w}, {{2, 0, 0}, w}, {{1, std::sqrt(3.0), 0}, w}};
+  for (const auto& [balls, count] : {std::pair(cube, 12u), std::pair(ring, 4u)}) {
+    CAPTURE(count);
+    const auto skin = support::prepared(balls);
+    REQUIRE(skin);
+    const MeshResult result = make_mesh(*skin, {.sizing = {.C = 0.04}});
+    std::vector<double> of_mesh(skin->surface.cell_count());
+    for (const auto& [a, b, c] : result.mesh.triangles) {
+      const auto& at = result.mesh.positions;
+      const double area = (at[b] - at[a]).cross(at[c] - at[a]).norm() / 2;
+      for (const std::uint32_t v : {a, b, c}) {
+        const geometry::CellId cell = result.cells[v];
+        const double scale = skin->surface.length_scale(at[v], cell);
+        of_mesh[cell.index()] += area / 3 / (scale * scale);
+      }
+    }
+    const auto found = skin::waists(skin->surface);
+    REQUIRE(found.size() == count);
+    for (const skin::Waist& waist : found) {
+      CHECK(waist.demand == doctest::Approx(of_mesh[waist.cell.index()]).epsilon(0.06));
+    }
+  }
+}
+
 TEST_CASE("balls that do not meet have no neck, and three about a hole have one tunnel") {
   const auto apart = support::prepared(pair(0.1, -1));
   REQUIRE(apart);
