@@ -4,11 +4,11 @@
 /// triangle has an angle below the bound, the centre of its surface ball goes in.
 ///
 /// With a bound of at most 30 degrees such a ball is larger than the triangle's shortest edge e,
-/// for R = |e| / (2 sin a). Where it is empty, the new vertex is farther than |e| from all others,
-/// so along a chain of insertions, each into a triangle that the one before made, edges never get
-/// shorter, and a closed surface has no room for an endless one. Before each insertion all
-/// vertices are asked; where one is nearer, the triangle is left. Triangles that come to break [U]
-/// on the way are broken as well: their balls' radii are bounded from below by the length scale.
+/// for R = |e| / (2 sin a). Where it is empty, the new vertex is farther than |e| from all others.
+/// So no two vertices come to be nearer than the nearest two were, and a closed surface has room
+/// for finitely many. Before each insertion all vertices are asked; where one is nearer, the
+/// triangle is left. Triangles that come to break [U], or could not be certified, are broken as
+/// well: their balls' radii are bounded from below by the length scale.
 
 #include <cstddef>
 #include <vector>
