@@ -44,6 +44,16 @@ double angle_bound_deg(const MeshingOptions& options) {
   return std::min(options.goal_deg(), certify::guaranteed_angle_deg) + angle_margin_deg;
 }
 
+/// Counts anew the triangles that miss the goal, once insertions have changed the mesh.
+void count_below_goal(const MeshingOptions& options, MethodResult& made) {
+  const auto goal = refine::AngleGoal::with(options.goal_deg(), options.sizing);
+  made.improvement.left = 0;
+  for (std::size_t t = 0; t < made.mesh.surface.triangle_count(); ++t) {
+    const geometry::TriangleId id{t};
+    made.improvement.left += !made.mesh.surface.is_removed(id) && !goal.is_met(made.mesh, id);
+  }
+}
+
 /// Whether a length was asked for, with a C coarser than fronts are laid with.
 bool is_thinned(const MeshingOptions& options) {
   const bool is_by_length =
@@ -72,6 +82,7 @@ void raise_angles(const surface::Surface& surface, const MeshingOptions& options
   made.angles = run.stage("refine angles", [&] {
     return refine::refine_angles(*sized, options.sizing, made.mesh, angle_bound_deg(options), run);
   });
+  count_below_goal(options, made);
 }
 
 namespace {
@@ -122,6 +133,7 @@ MethodResult run_method(const PreparedSkin& skin, const MeshingOptions& asked, O
   if (!refined) return made;
   made.mesh = std::move(*refined);
   drop_components(skin, made.mesh, run);
+  count_below_goal(options, made);
   return made;
 }
 

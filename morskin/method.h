@@ -46,7 +46,7 @@ struct RunCounts {
   std::size_t triangles_laid = 0;  ///< by it
   std::size_t seam_triangles = 0;  ///< of these, those between subdomains
 
-  /// Triangles that still miss the goal, insertions for 30 degrees apart.
+  /// Triangles that miss the goal in the end.
   std::size_t below_goal() const { return smoothing.left.empty() ? 0 : improvement.left; }
 };
 

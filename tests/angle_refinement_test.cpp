@@ -4,9 +4,11 @@
 
 #include "certify/restricted_delaunay.h"
 #include "morskin/method.h"
+#include "morskin/pipeline_parts.h"
 #include "refine/angle_improvement.h"
 #include "refine/smoothing.h"
 #include "tests/support/meshes.h"
+#include "tests/support/molecules.h"
 
 using namespace morskin;
 using namespace morskin::certify;
@@ -117,6 +119,19 @@ TEST_CASE("refinement in space does the same") {
     CHECK(c.is_homeomorphic);
     CHECK(c.violations_U == 0);
   });
+}
+
+TEST_CASE("what an insertion has brought to the goal is not counted as left below") {
+  const PreparedSkin skin = prepare_skin(molecule("5tmn_ligand.pdb", skin::Model::Paper));
+  MethodResult made;
+  made.mesh = rough_mesh(skin, {});
+  // By [L] of so large a C no edge is long enough, so nothing moves or goes before the last step.
+  const Sizing coarse{.C = 0.4, .Q = Sizing::quality_for(0.4)};
+  raise_angles(skin.surface, {.sizing = coarse}, made, geometry::Run(1));
+  CHECK(made.improvement.changed == 0);
+  CHECK(made.angles.inserted > 0);
+  CHECK(smallest_angle(made.mesh) >= 30);
+  CHECK(made.below_goal() == 0);
 }
 
 TEST_CASE("improvement leaves fewer angles below the goal, and a certified mesh") {
