@@ -263,7 +263,8 @@ class SkinMesh {
   /// C, Q and max_length_scale that it was made with, as Skin::certify takes them.
   MeshOptions sizing() const { return made_->sizing; }
 
-  /// Writes as write_mesh does. A mesh that is not certified gets the ending .unverified.
+  /// Writes as write_mesh does, and MSMS's two files (.vert and .face) if one of them is named. A
+  /// mesh that is not certified gets the ending .unverified.
   /// @param vertex_data  what PLY, VTU, NPZ, MSH and then GLB too hold beside: "normal",
   ///                     "curvature", "directions", "scale", "atom", "shares", "component",
   ///                     "patch"; or "all". papers/vertex-data.md describes them

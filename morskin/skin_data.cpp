@@ -100,6 +100,42 @@ geometry::MeshFormat format_with_data(const std::filesystem::path& file) {
                                ": only .ply, .vtu, .glb, .npz and .msh hold data by vertex");
 }
 
+bool is_msms(geometry::MeshFormat format) {
+  return format == geometry::MeshFormat::MsmsVertices || format == geometry::MeshFormat::MsmsFaces;
+}
+
+/// The format of a file without other data.
+geometry::MeshFormat format_of(const std::filesystem::path& file) {
+  const std::optional<geometry::MeshFormat> format = geometry::mesh_format_of(file);
+  return format && is_msms(*format) ? *format : geometry::plain_format_of(file);
+}
+
+/// Whether a format has a place for normals.
+bool has_normals(geometry::MeshFormat format) {
+  return format == geometry::MeshFormat::Npz || format == geometry::MeshFormat::Glb ||
+         is_msms(format);
+}
+
+/// Writes MSMS's two files, either of which is named. They get their names once both are whole.
+/// @return the name of that one
+std::filesystem::path write_pair(const std::filesystem::path& file,
+                                 const geometry::IndexedMesh& mesh,
+                                 const geometry::MeshAttributes& beside, std::string_view ending,
+                                 const Run& run) {
+  std::vector<geometry::PendingFile> files;
+  for (const auto& path : {file, geometry::msms_partners(file).front()}) {
+    if (geometry::is_written_directly(path)) {
+      throw geometry::UnwritableOutput(path.string() +
+                                       ": is no place for one of two files; use another name");
+    }
+    const std::string bytes = geometry::serialized(mesh, *geometry::mesh_format_of(path), beside);
+    run.report(geometry::unknown_share);
+    files.emplace_back(path).write(bytes);
+  }
+  for (geometry::PendingFile& pending : files) pending.commit(ending);
+  return files.front().final_name(ending);
+}
+
 std::vector<Datum> data_called(std::span<const std::string> names) {
   std::vector<Datum> data;
   for (const std::string& name : names) {
@@ -202,31 +238,31 @@ std::filesystem::path SkinMesh::write(const std::filesystem::path& file,
                                       const RunOptions& run) const {
   const Run steps = inside(run);
   const auto work = [&] {
-    std::filesystem::path name = file;
-    if (!certificate().certified) name += ".unverified";
     const geometry::IndexedMesh mesh = inside(triangles());
-    const std::optional<geometry::MeshFormat> known = geometry::mesh_format_of(file);
-    const bool has_normals =
-        known == geometry::MeshFormat::Npz || known == geometry::MeshFormat::Glb;
-    const bool is_single = known && geometry::is_single(*known);
-    if (is_single && certificate().certified) require_exact_enough(mesh, file);
-    const bool is_plain = vertex_data.empty() && !has_normals;
+    const bool is_certified = certificate().certified;
+    const std::string_view ending = is_certified ? "" : ".unverified";
     const geometry::MeshFormat format =
-        is_plain ? geometry::plain_format_of(file) : format_with_data(file);
+        vertex_data.empty() ? format_of(file) : format_with_data(file);
+    const bool is_single = geometry::is_single(format);
+    if (is_single && is_certified) require_exact_enough(mesh, file);
     geometry::MeshAttributes beside;
-    if (!is_plain) {
+    if (!vertex_data.empty() || has_normals(format)) {
       const skin::SkinSurface& skin = skin_.prepared_->skin.surface;
       const auto cells = certify::cells_of(certify::locate_vertices(mesh, skin, steps));
       steps.report(geometry::unknown_share);
       beside = mesh_attributes(skin, mesh, cells, data_called(vertex_data));
       beside.normals = skin_normals(skin, mesh, cells);
+      if (is_msms(format)) beside.msms = msms_columns(skin, mesh, cells);
       steps.report(geometry::unknown_share);
     }
     const std::string_view verdict = is_single ? rounded_verdict : certified_verdict;
-    beside.provenance = statements(skin_.prepared_->options, sizing(),
-                                   certificate().certified ? verdict : other_verdict);
+    beside.provenance =
+        statements(skin_.prepared_->options, sizing(), is_certified ? verdict : other_verdict);
+    if (is_msms(format)) return write_pair(file, mesh, beside, ending, steps);
     const std::string bytes = geometry::serialized(mesh, format, beside);
     steps.report(geometry::unknown_share);
+    std::filesystem::path name = file;
+    name += ending;
     geometry::write_file_atomically(name, bytes);
     return name;
   };

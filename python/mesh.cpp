@@ -154,9 +154,9 @@ void bind_mesh(py::module_& module) {
   define(mesh, "save", save, py::arg("file"), py::kw_only(),
          py::arg("vertex_data") = std::vector<std::string>(),
          "save(file, *, vertex_data=()) -> pathlib.Path\n\n"
-         "Writes PLY, OFF, OBJ, STL, VTU, GLB, NPZ or MSH, as the file's ending says, whole or "
-         "not at all. Returns\nthe file's name: a mesh that is not certified gets the ending "
-         ".unverified.\n\n"
+         "Writes PLY, OFF, OBJ, STL, VTU, GLB, NPZ, MSH or MSMS's .vert and .face, as the file's "
+         "ending says, whole\nor not at all. Returns the file's name: a mesh that is not "
+         "certified gets the ending .unverified.\n\n"
          "vertex_data  what PLY, VTU, GLB, NPZ and MSH hold beside the mesh: \"all\", or some of "
          "\"normal\",\n             \"curvature\", \"directions\", \"scale\", \"atom\", "
          "\"shares\", \"component\", \"patch\"\n\n"

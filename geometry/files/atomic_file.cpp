@@ -181,6 +181,7 @@ std::filesystem::path link_target(std::filesystem::path path, std::error_code& e
 }
 
 PendingFile::PendingFile(std::filesystem::path path) : path_(std::move(path)) {
+  if (const std::string fault = fault_of_nul(path_); !fault.empty()) throw UnwritableOutput(fault);
   struct stat status {};
   const bool exists = ::stat(path_.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) fail_to_write(path_, EISDIR);

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Features are what the command writes. Usage: features_test.py folder-of-the-package morskin"""
 
-from support import MOLECULES, ModuleTest, main
+from support import BALLS, MOLECULES, ModuleTest, main
 
 import os
 import subprocess
@@ -92,6 +92,32 @@ class Features(ModuleTest):
             self.assertIn(b"model, probe, voids, C, Q, size from the mesh file", done.stdout)
         with np.load(mesh.save(self.folder / "m.npz")) as archive:
             self.assertEqual(archive["probe"], 0.5)
+
+    def test_msms_s_two_files_are_saved_as_the_command_writes_them(self):
+        file = MOLECULES / "caffeine.xyz"
+        mesh = morskin.read(file).mesh(C=0.3)
+        self.assertEqual(mesh.save(self.folder / "p.face"), self.folder / "p.face")
+        subprocess.run([COMMAND, "mesh", file, "-C", "0.3", "-q", "-o", self.folder / "c.vert"],
+                       check=True)
+        for ending in ("vert", "face"):
+            saved, written = ((self.folder / f"{name}.{ending}").read_text().splitlines()
+                              for name in "pc")
+            self.assertEqual(saved[1:], written[1:])  # the first line is their origin
+        subprocess.run([COMMAND, "check", self.folder / "p.vert", "--against", file],
+                       check=True, stdout=subprocess.DEVNULL)
+
+    def test_of_msms_s_two_files_both_are_saved_or_none(self):
+        mesh = morskin.Skin(*BALLS).mesh(C=0.9, Q=1.9, angle_goal_deg=0, allow_uncertified=True)
+        self.assertEqual(mesh.save(self.folder / "u.vert"), self.folder / "u.vert.unverified")
+        self.assertTrue((self.folder / "u.face.unverified").exists())
+        self.assertFalse((self.folder / "u.vert").exists())
+        (self.folder / "q.face").mkdir()
+        with self.assertRaises(morskin.UnwritableOutput):
+            mesh.save(self.folder / "q.vert")
+        with self.assertRaises(morskin.RefusedInput):
+            mesh.save(self.folder / "r.vert", vertex_data="all")
+        names = {path.name for path in self.folder.iterdir()}
+        self.assertEqual(names, {"u.vert.unverified", "u.face.unverified", "q.face"})
 
     def test_arrays_outlive_each_other_and_may_be_written_to(self):
         vertices = morskin.features(MOLECULES / "caffeine.xyz")["vertices"]

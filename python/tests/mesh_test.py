@@ -286,7 +286,7 @@ class Files(ModuleTest):
 
     def test_a_file_that_cannot_be_written_leaves_nothing(self):
         mesh = morskin.Skin(*BALLS).mesh(**COARSE)
-        for name in ("a.xyz", "a", "no/a.ply", "a.vert"):
+        for name in ("a.xyz", "a", "no/a.ply", "no/a.vert"):
             with self.assertRaises(morskin.UnwritableOutput):
                 mesh.save(self.folder / name)
         self.assertEqual(list(self.folder.iterdir()), [])
