@@ -21,26 +21,6 @@
 namespace morskin::app {
 namespace {
 
-// Triangles with C = 0.08 and Q = 1.65, as measured: a share for every heavy atom and one for the
-// whole. Within a factor of two for proteins and nucleic acids; a small cage can have a fifth.
-struct Growth {
-  double per_heavy_atom, per_molecule;
-};
-Growth growth(skin::Model model) {
-  switch (model) {
-    case skin::Model::Paper:
-      return {1300, 0};
-    case skin::Model::Sas:
-      return {85, 2000};
-    case skin::Model::SesLike:
-      return {450, 0};
-    case skin::Model::Vdw:
-    case skin::Model::Given:
-      return {900, 0};
-  }
-  return {};
-}
-
 // Atoms by element, "?" if unknown.
 std::map<std::string, std::size_t> elements(const skin::Molecule& molecule) {
   std::map<std::string, std::size_t> counts;
@@ -49,60 +29,40 @@ std::map<std::string, std::size_t> elements(const skin::Molecule& molecule) {
   return counts;
 }
 
-bool is_hydrogen(const skin::Atom& atom) {
-  const std::string_view element = atom.element.view();
-  return element == "H" || element == "D" || element == "T";
-}
-
-// The number goes with the inverse square of the edges' length, where C decides on that.
-double estimated_triangles(const skin::Molecule& molecule, const InfoArguments& arguments) {
-  const auto hydrogens = std::ranges::count_if(molecule.atoms, is_hydrogen);
-  const double heavy = static_cast<double>(molecule.atoms.size()) - static_cast<double>(hydrogens);
-  const Growth grows = growth(arguments.molecule.model);
-  const double share = certify::Sizing{}.edge_share() / arguments.sizing.edge_share();
-  return (grows.per_molecule + grows.per_heavy_atom * std::max(heavy, 1.0)) * share * share;
-}
-
 // The peak memory of a run by the usual method (papers/4.3-large-molecules.md).
-double estimated_bytes(const MoleculeInput& input, const certify::Sizing& sizing,
-                       double triangles) {
-  const bool is_static = morskin::usual_method(input.points, sizing) == morskin::Method::Static;
+double estimated_bytes(std::size_t balls, morskin::Method method, double triangles) {
+  const bool is_static = method == morskin::Method::Static;
   const double per_atom = is_static ? 14'000 : 1500, per_triangle = is_static ? 500 : 150;
   constexpr double program = 12 << 20;  // itself, its libraries and what is read in one go
-  return program + per_atom * static_cast<double>(input.points.size()) + per_triangle * triangles;
+  return program + per_atom * static_cast<double>(balls) + per_triangle * triangles;
 }
+
+/// What a mesh will have, about.
+struct Estimate {
+  double triangles, bytes;
+};
 
 struct Info {
   RadiusRange radii;    ///< of the atoms
   RadiusRange patches;  ///< of their sphere patches
   std::size_t hidden;
   std::optional<SkinParts> parts;
-  std::string refusal;  ///< why there is no skin, and are no parts of it
-  double triangles, bytes;
+  std::optional<Estimate> estimate;
+  std::string refusal;  ///< why there is no skin, and so neither of these
 };
 
 Info gather(const MoleculeInput& input, const InfoArguments& arguments) {
   const auto [least, most] =
       std::ranges::minmax_element(input.molecule.atoms, {}, &skin::Atom::radius);
-  const double triangles = estimated_triangles(input.molecule, arguments);
-  Info info{{least->radius, most->radius},
-            patch_radii(input.points),
-            0,
-            {},
-            "",
-            triangles,
-            estimated_bytes(input, arguments.sizing, triangles)};
+  Info info{{least->radius, most->radius}, patch_radii(input.points), 0, {}, {}, ""};
   ProgressLine progress(arguments.progress);
   const morskin::Run run(arguments.threads, progress.callback());
   try {
     const morskin::PreparedSkin skin = prepare_skin(input, arguments.molecule, run);
     info.hidden = skin.surface.triangulation().hidden.size();
-    if (std::isfinite(arguments.sizing.largest_length_scale)) {
-      const morskin::Method method = morskin::usual_method(input.points, arguments.sizing);
-      const morskin::SizeEstimate estimate(skin);
-      info.triangles = 2 * estimate.vertices(arguments.sizing, method);
-      info.bytes = estimated_bytes(input, arguments.sizing, info.triangles);
-    }
+    const morskin::Method method = morskin::usual_method(input.points, arguments.sizing);
+    const double triangles = 2 * morskin::SizeEstimate(skin).vertices(arguments.sizing, method);
+    info.estimate = {triangles, estimated_bytes(input.points.size(), method, triangles)};
     info.parts = skin_parts(skin, run);
   } catch (const geometry::RefusedInput& refused) {
     info.hidden = geometry::regular_triangulation(input.points).hidden.size();
@@ -136,9 +96,11 @@ std::string json_text(const MoleculeInput& input, const InfoArguments& arguments
                {"skipped_unknown_elements", counts.unknown},
                {"skipped_models", counts.other_models},
                {"C", arguments.sizing.C},
-               {"Q", arguments.sizing.Q},
-               {"estimated_triangles", std::round(rounded(info.triangles, 2))},
-               {"estimated_bytes", std::round(rounded(info.bytes, 2))}});
+               {"Q", arguments.sizing.Q}});
+  if (info.estimate) {
+    json["estimated_triangles"] = std::round(rounded(info.estimate->triangles, 2));
+    json["estimated_bytes"] = std::round(rounded(info.estimate->bytes, 2));
+  }
   add_selection(json, arguments.molecule.selection);
   if (info.parts) add_skin_parts(json, *info.parts);
   if (!info.parts) json["refused"] = info.refusal;
@@ -166,6 +128,16 @@ std::string next_step(const std::filesystem::path& input, const std::vector<std:
          " writes the mesh; all options: morskin mesh --help";
 }
 
+std::string estimate_text(const Estimate& estimate) {
+  constexpr double max_in_digits = 1e15;
+  const double triangles = rounded(estimate.triangles, 2);
+  const std::string number =
+      triangles < max_in_digits ? grouped(std::llround(triangles)) : brief(triangles, 2);
+  return line("triangles", "about " + number + ", by the skin's area and length scales") +
+         line("memory", "about " + brief(rounded(estimate.bytes / (1 << 20), 2)) +
+                            " MiB with so many triangles");
+}
+
 std::string people_text(const MoleculeInput& input, const InfoArguments& arguments,
                         const Info& info) {
   const skin::ReadingCounts& counts = input.molecule.counts;
@@ -188,18 +160,7 @@ std::string people_text(const MoleculeInput& input, const InfoArguments& argumen
   text += line("duplicates", grouped(counts.duplicates));
   text += line("hidden", grouped(info.hidden) + " (no power cell, duplicates included)");
   text += info.parts ? skin_parts_text(*info.parts) : line("refused", info.refusal);
-  constexpr double max_in_digits = 1e15;
-  const bool is_by_length = std::isfinite(arguments.sizing.largest_length_scale);
-  const char* const guess = is_by_length && info.parts
-                                ? ": a guess from the skin's area and the length"
-                                : ": a guess from the heavy atoms and C, by what proteins had";
-  const double triangles = rounded(info.triangles, 2);
-  text += line("triangles", "about " +
-                                (triangles < max_in_digits ? grouped(std::llround(triangles))
-                                                           : brief(triangles, 2)) +
-                                guess);
-  text += line("memory", "about " + brief(rounded(info.bytes / (1 << 20), 2)) +
-                             " MiB with so many triangles");
+  if (info.estimate) text += estimate_text(*info.estimate);
   if (!arguments.words.empty()) {
     text += line("next", next_step(arguments.molecule.input, arguments.words));
   }

@@ -122,6 +122,7 @@ class Voids(CommandTest):
         self.assertEqual(info["atoms"], 2)
         self.assertIn("singular", info["refused"])
         self.assertNotIn("voids", info)
+        self.assertNotIn("estimated_triangles", info)
 
 
 if __name__ == "__main__":
