@@ -44,14 +44,20 @@ double angle_bound_deg(const MeshingOptions& options) {
   return std::min(options.goal_deg(), certify::guaranteed_angle_deg) + angle_margin_deg;
 }
 
+/// How many triangles of a mesh miss a goal.
+std::size_t count_missing(const surface::Mesh& mesh, const refine::AngleGoal& goal) {
+  std::size_t missing = 0;
+  for (std::size_t t = 0; t < mesh.surface.triangle_count(); ++t) {
+    const geometry::TriangleId id{t};
+    missing += !mesh.surface.is_removed(id) && !goal.is_met(mesh, id);
+  }
+  return missing;
+}
+
 /// Counts anew the triangles that miss the goal, once insertions have changed the mesh.
 void count_below_goal(const MeshingOptions& options, MethodResult& made) {
   const auto goal = refine::AngleGoal::with(options.goal_deg(), options.sizing);
-  made.improvement.left = 0;
-  for (std::size_t t = 0; t < made.mesh.surface.triangle_count(); ++t) {
-    const geometry::TriangleId id{t};
-    made.improvement.left += !made.mesh.surface.is_removed(id) && !goal.is_met(made.mesh, id);
-  }
+  made.improvement.left = count_missing(made.mesh, goal);
 }
 
 /// Whether a length was asked for, with a C coarser than fronts are laid with.
@@ -110,6 +116,33 @@ void thin_and_raise_angles(const PreparedSkin& skin, const MeshingOptions& optio
   }
 }
 
+/// Beyond the C up to which [L] is promised: raises angles further where that left some below the
+/// goal, with moves and changes for which [L] is let go. Kept if fewer are left and none of these
+/// is below the bound.
+void raise_angles_without_L(const PreparedSkin& skin, const MeshingOptions& options,
+                            MethodResult& made, const Run& run) {
+  constexpr double freedom = 8;  // [L] is weaker by its square
+  constexpr int repairs = 2;     // the fewest with which 35 degrees is reached on the corpus
+  if (made.below_goal() == 0 || !options.sizing.is_coarser_than_laid()) return;
+  const SizedSurface sized(skin.surface, options.sizes);
+  certify::Sizing sizing = options.sizing;  // [U] has the product of C and Q, [L] the quotient
+  sizing.C /= freedom;
+  sizing.Q *= freedom;
+  const auto goal = refine::AngleGoal::with(options.goal_deg() + angle_margin_deg, options.sizing);
+  MethodResult raised = made;
+  raised.smoothing =
+      run.stage("smooth", [&] { return refine::smooth(*sized, sizing, raised.mesh, goal, run); });
+  raised.improvement = run.stage("improve angles", [&] {
+    return refine::improve_angles(*sized, sizing, raised.mesh, goal, raised.smoothing.left, run,
+                                  repairs);
+  });
+  const refine::AngleGoal bound(angle_bound_deg(options));
+  if (raised.below_goal() >= made.below_goal() || count_missing(raised.mesh, bound) > 0) return;
+  raised.smoothing.moved += made.smoothing.moved;
+  raised.improvement.changed += made.improvement.changed;
+  made = std::move(raised);
+}
+
 }  // namespace
 
 MethodResult run_method(const PreparedSkin& skin, const MeshingOptions& asked, Observer& observer,
@@ -128,12 +161,15 @@ MethodResult run_method(const PreparedSkin& skin, const MeshingOptions& asked, O
   } else if (options.goal_deg() > 0) {
     raise_angles(skin.surface, options, made, run);
   }
-  if (made.angles.left.empty()) return made;
-  auto refined = refine_angles_in_space(skin, made.mesh, options, angle_bound_deg(options), run);
-  if (!refined) return made;
-  made.mesh = std::move(*refined);
-  drop_components(skin, made.mesh, run);
-  count_below_goal(options, made);
+  if (!made.angles.left.empty()) {
+    auto refined = refine_angles_in_space(skin, made.mesh, options, angle_bound_deg(options), run);
+    if (!refined) return made;
+    made.mesh = std::move(*refined);
+    drop_components(skin, made.mesh, run);
+    made.angles.left.clear();
+    count_below_goal(options, made);
+  }
+  raise_angles_without_L(skin, options, made, run);
   return made;
 }
 

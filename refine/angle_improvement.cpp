@@ -68,9 +68,10 @@ class Missing {
 class AngleImprovement {
  public:
   AngleImprovement(const surface::Surface& surface, const Sizing& sizing, Mesh& mesh,
-                   const AngleGoal& goal, std::span<const TriangleId> below)
+                   const AngleGoal& goal, std::span<const TriangleId> below, int repairs)
       : mesh_(mesh),
         goal_(goal),
+        repairs_(repairs),
         operations_(surface, sizing, mesh),
         mover_(surface, sizing, mesh, goal, {}),
         strict_mover_(surface, sizing, mesh, goal.stricter(), {}),
@@ -157,6 +158,10 @@ class AngleImprovement {
                                                [](const Insertion&) { return true; });
     }
     operations_.flip_where_needed();
+    for (int k = 0; k < repairs_ && is_done && !operations_.work().big.empty(); ++k) {
+      operations_.insert_into_big_triangles(operations_.counts().insert + 1);
+      operations_.flip_where_needed();
+    }
     operations_.work() = {};
     return is_done;
   }
@@ -248,6 +253,7 @@ class AngleImprovement {
 
   Mesh& mesh_;
   const AngleGoal goal_;
+  const int repairs_;
   LocalOperations operations_;
   VertexMover mover_, strict_mover_;
   Journal journal_;
@@ -259,9 +265,10 @@ class AngleImprovement {
 
 AngleImprovementCounts improve_angles(const surface::Surface& surface, const Sizing& sizing,
                                       Mesh& mesh, const AngleGoal& goal,
-                                      std::span<const TriangleId> below, const geometry::Run& run) {
+                                      std::span<const TriangleId> below, const geometry::Run& run,
+                                      int repairs) {
   const AngleImprovementCounts counts =
-      AngleImprovement(surface, sizing, mesh, goal, below).run(run);
+      AngleImprovement(surface, sizing, mesh, goal, below, repairs).run(run);
   // Trials that were taken back leave empty slots as well.
   if (!below.empty()) mesh.surface.compact(run.threads());
   return counts;

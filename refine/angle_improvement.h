@@ -22,11 +22,13 @@ struct AngleImprovementCounts {
   std::size_t left = 0;     ///< triangles that miss the goal, after
 };
 
-/// @param below  the triangles that miss the goal
+/// @param below    the triangles that miss the goal
+/// @param repairs  of the triangles that a change makes too big for [U] or the certificate, so many
+///                 are broken as well
 /// @pre the mesh is closed, its edges are Delaunay. It comes out compacted.
 AngleImprovementCounts improve_angles(const surface::Surface& surface, const Sizing& sizing,
                                       Mesh& mesh, const AngleGoal& goal,
                                       std::span<const TriangleId> below,
-                                      const geometry::Run& run = geometry::Run());
+                                      const geometry::Run& run = geometry::Run(), int repairs = 0);
 
 }  // namespace morskin::refine
