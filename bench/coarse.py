@@ -2,13 +2,15 @@
 """How coarse can a method go? Meshes pieces of one big molecule, balls of atoms about random ones,
 for several C, and counts the runs that fell back to another sweep or method or were not certified.
 
-One line for each piece, model and C, totals by model and C at the end; no failure fails the script.
-The lines also go to results/coarse.tsv, each at once. The same seed takes the same pieces.
+One line for each piece, model and C, totals by model and C at the end; no failed run fails the
+script, arguments that make no sense do. The lines also go to results/coarse.tsv, each at once. The
+same seed takes the same pieces.
 """
 
 import collections
 import math
 import random
+import sys
 import tempfile
 from pathlib import Path
 
@@ -18,6 +20,7 @@ from tile import read_balls
 
 COLUMNS = ["piece", "model", "C", "atoms", "triangles", "min_angle", "seconds", "verdict"]
 WIDTHS = [5, 6, 5, 6, 9, 9, 8, 0]
+USAGE = 2  # the exit code for arguments that make no sense
 
 
 def arguments():
@@ -33,6 +36,8 @@ def arguments():
 
 
 def verdict_of(run):
+    if run.code == USAGE:
+        sys.exit(run.complaint)
     if run.code == 4 and "singular" in run.complaint:
         return "refused"
     if not run.report:

@@ -122,7 +122,7 @@ void thin_and_raise_angles(const PreparedSkin& skin, const MeshingOptions& optio
 void raise_angles_without_L(const PreparedSkin& skin, const MeshingOptions& options,
                             MethodResult& made, const Run& run) {
   constexpr double freedom = 8;  // [L] is weaker by its square
-  constexpr int repairs = 2;     // the fewest with which 35 degrees is reached on the corpus
+  constexpr int repairs = 2;     // with none a triangle of 1BMF stays below 35 degrees
   if (made.below_goal() == 0 || !options.sizing.is_coarser_than_laid()) return;
   const SizedSurface sized(skin.surface, options.sizes);
   certify::Sizing sizing = options.sizing;  // [U] has the product of C and Q, [L] the quotient
@@ -138,6 +138,7 @@ void raise_angles_without_L(const PreparedSkin& skin, const MeshingOptions& opti
   });
   const refine::AngleGoal bound(angle_bound_deg(options));
   if (raised.below_goal() >= made.below_goal() || count_missing(raised.mesh, bound) > 0) return;
+  raised.smoothing.below = made.smoothing.below;
   raised.smoothing.moved += made.smoothing.moved;
   raised.improvement.changed += made.improvement.changed;
   made = std::move(raised);
