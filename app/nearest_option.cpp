@@ -76,8 +76,9 @@ std::optional<std::string> of_same_words(const CLI::App& app, std::string_view w
 
 }  // namespace
 
-std::optional<std::string> nearest_option(const CLI::App& app, std::string_view word) {
-  word = word.substr(0, word.find('='));
+std::optional<std::string> nearest_option(const CLI::App& app, std::string_view typed) {
+  std::string word(typed.substr(0, typed.find('=')));
+  std::ranges::replace(word, '_', '-');  // as Python has it
   if (word.size() == 2 && word[0] == '-' && word[1] != '-') return with_other_case(app, word[1]);
   if (!word.starts_with("--") || word == "--") return std::nullopt;
   std::optional<std::string> nearest;

@@ -7,6 +7,8 @@ run is not certified or fell back; singular skins are left out. The lines also g
 papers/results/angle_goals.tsv.
 """
 
+from pathlib import Path
+
 from molecule_runs import Rows, argument_parser, end, mesh, molecule_folder, sized_files
 
 COLUMNS = ["C", "goal", "runs", "triangles", "left", "inserted", "violations_L", "min_angle",
@@ -17,8 +19,7 @@ WIDTHS = [5, 5, 5, 10, 6, 8, 12, 9, 9, 0]
 def arguments():
     parser = argument_parser(__doc__, timeout=300, results="papers/results/angle_goals.tsv",
                              largest=400)
-    parser.set_defaults(models="paper,vdw", molecules=parser.get_default("results").parents[2] /
-                        "bench" / "molecules")
+    parser.set_defaults(models="paper,vdw", molecules=Path("bench/molecules"))
     parser.add_argument("--sizes", default="0.05,0.08,0.12,0.16,0.2,0.25,0.3,0.35,0.4",
                         help="C, default %(default)s")
     parser.add_argument("--goals", default="30,35,40", help="degrees, default %(default)s")

@@ -59,7 +59,8 @@ def argument_parser(text, *, timeout, results, takes=("molecules", "models", "la
     parser = Parser(description=text, formatter_class=argparse.RawDescriptionHelpFormatter)
     if "molecules" in takes:
         parser.add_argument("--molecules", type=Path, default=Path("../shared/molecules"),
-                            help="folder to search (default %(default)s, else bench/molecules)")
+                            help="folder to search (default %(default)s; bench/molecules where "
+                                 "that is not there)")
     if "models" in takes:
         parser.add_argument("--models", default=",".join(MODELS), help="default %(default)s")
     if "largest" in takes:
