@@ -60,6 +60,20 @@ void count_below_goal(const MeshingOptions& options, MethodResult& made) {
   made.improvement.left = count_missing(made.mesh, goal);
 }
 
+/// Moves vertices for a goal; where that leaves triangles below it, changes the connectivity too.
+void smooth_and_improve(const surface::Surface& sized, const certify::Sizing& sizing,
+                        const refine::AngleGoal& goal, int repairs, MethodResult& made,
+                        const Run& run) {
+  made.smoothing =
+      run.stage("smooth", [&] { return refine::smooth(sized, sizing, made.mesh, goal, run); });
+  made.improvement = {};
+  if (made.smoothing.left.empty()) return;
+  made.improvement = run.stage("improve angles", [&] {
+    return refine::improve_angles(sized, sizing, made.mesh, goal, made.smoothing.left, run,
+                                  repairs);
+  });
+}
+
 /// Whether a length was asked for, with a C coarser than fronts are laid with.
 bool is_thinned(const MeshingOptions& options) {
   const bool is_by_length =
@@ -74,16 +88,8 @@ void raise_angles(const surface::Surface& surface, const MeshingOptions& options
   const SizedSurface sized(surface, options.sizes);
   const double goal_deg = options.goal_deg() + angle_margin_deg;
   const auto goal = refine::AngleGoal::with(goal_deg, options.sizing);
-  made.smoothing = run.stage(
-      "smooth", [&] { return refine::smooth(*sized, options.sizing, made.mesh, goal, run); });
-  made.improvement = {};
+  smooth_and_improve(*sized, options.sizing, goal, 0, made, run);
   made.angles = {};
-  if (!made.smoothing.left.empty()) {
-    made.improvement = run.stage("improve angles", [&] {
-      return refine::improve_angles(*sized, options.sizing, made.mesh, goal, made.smoothing.left,
-                                    run);
-    });
-  }
   if (made.below_goal() == 0) return;
   made.angles = run.stage("refine angles", [&] {
     return refine::refine_angles(*sized, options.sizing, made.mesh, angle_bound_deg(options), run);
@@ -130,12 +136,7 @@ void raise_angles_without_L(const PreparedSkin& skin, const MeshingOptions& opti
   sizing.Q *= freedom;
   const auto goal = refine::AngleGoal::with(options.goal_deg() + angle_margin_deg, options.sizing);
   MethodResult raised = made;
-  raised.smoothing =
-      run.stage("smooth", [&] { return refine::smooth(*sized, sizing, raised.mesh, goal, run); });
-  raised.improvement = run.stage("improve angles", [&] {
-    return refine::improve_angles(*sized, sizing, raised.mesh, goal, raised.smoothing.left, run,
-                                  repairs);
-  });
+  smooth_and_improve(*sized, sizing, goal, repairs, raised, run);
   const refine::AngleGoal bound(angle_bound_deg(options));
   if (raised.below_goal() >= made.below_goal() || count_missing(raised.mesh, bound) > 0) return;
   raised.smoothing.below = made.smoothing.below;
