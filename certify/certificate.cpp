@@ -66,16 +66,11 @@ class Certifier {
     if (built_.defect) {
       out_.fail(Claim::Manifold, "not a closed oriented 2-manifold: " + *built_.defect);
       out_.fail(Claim::Degree, "not asked, for the mesh is no manifold");
-      measure_shape();
+      out_.volume = std::numeric_limits<double>::quiet_NaN();
     } else {
-      geometry::for_each_task(run_.threads(), 3, [&](std::size_t task) {
-        if (task == 0) check_covering(expected);
-        if (task == 1) measure_shape();
-        if (task == 2) {
-          out_.restricted_delaunay_violations =
-              local_delaunay_violations(located(), built_.mesh, filter);
-        }
-      });
+      check_covering(expected);
+      out_.restricted_delaunay_violations =
+          local_delaunay_violations(located(), built_.mesh, filter, run_.threads());
     }
     run_.report(geometry::unknown_share);
     check_vertices();
@@ -90,17 +85,17 @@ class Certifier {
         element + " has " + geometry::in_digits(ratio, 3) + " times its bound";
   }
   LocatedMesh located() const { return {mesh_, vertices_, surface_}; }
-  void measure_shape();  ///< angles, area and volume
   void locate_and_glue();
   void glue();
   void check_fans();      ///< the triangles at each vertex form one fan
   void check_vertices();  ///< each vertex's distance to the skin
-  /// [L], [U], and the conditions c1 and c2 of the theorem.
+  /// [L], [U], the conditions c1 and c2 of the theorem, angles, area and volume; components.
   void check_triangles(DelaunayFilter& filter);
   /// The results of one block of triangles.
   struct TriangleFindings {
     Certificate out;  ///< the members that check_triangle() changes
     FlowBounds flow;
+    geometry::ShapeMeasure shape;
   };
   void check_triangle(std::size_t t, TriangleFindings& found, DelaunayFilter& filter) const;
   void add(TriangleFindings found);
@@ -129,16 +124,9 @@ class Certifier {
   bool is_built_by_hints_ = false;
   EdgeSides sides_;
   LocatedVertices vertices_;
+  std::vector<std::uint32_t> components_;  ///< by vertex
   FlowBounds flow_;
 };
-
-void Certifier::measure_shape() {
-  const geometry::MeshShape shape = geometry::measure_shape(mesh_);
-  out_.area = shape.area;
-  if (!built_.defect) out_.volume = shape.volume;
-  out_.min_angle_deg = shape.min_angle_deg;
-  out_.max_angle_deg = shape.max_angle_deg;
-}
 
 /// Locates the vertices and glues the triangles; neither needs the other.
 void Certifier::locate_and_glue() {
@@ -193,8 +181,9 @@ void Certifier::check_triangles(DelaunayFilter& filter) {
   if (built_.defect) sides_ = EdgeSides(mesh_.triangles);
   out_.worst_L = std::numeric_limits<double>::infinity();
   const std::size_t count = mesh_.triangles.size();
-  std::vector<TriangleFindings> found(geometry::block_count(count));
-  geometry::for_each_block(run_.threads(), count, [&](auto begin, auto end, auto block) {
+  std::vector<TriangleFindings> found(geometry::block_count(count),
+                                      {Certificate(), FlowBounds(), geometry::ShapeMeasure(mesh_)});
+  const auto check = [&](std::size_t begin, std::size_t end, std::size_t block) {
     found[block].out.worst_L = out_.worst_L;
     for (std::size_t t = begin; t < end; ++t) {
       const std::size_t later = std::min(t + geometry::prefetch_ahead, end - 1);
@@ -204,11 +193,22 @@ void Certifier::check_triangles(DelaunayFilter& filter) {
       }
       check_triangle(t, found[block], filter);
     }
-  });
+  };
+  const auto find_components = [&] { components_ = geometry::vertex_components(mesh_); };
+  geometry::for_each_block_beside(run_.threads(), find_components, count, check);
   std::size_t far = 0;
   for (const TriangleFindings& part : found) far += part.flow.far().size();
   flow_.reserve(far);
-  for (TriangleFindings& part : found) add(std::move(part));
+  geometry::ShapeMeasure measured(mesh_);
+  for (TriangleFindings& part : found) {
+    measured.add(part.shape);
+    add(std::move(part));
+  }
+  const geometry::MeshShape shape = measured.shape();
+  out_.area = shape.area;
+  out_.volume = shape.volume;
+  out_.min_angle_deg = shape.min_angle_deg;
+  out_.max_angle_deg = shape.max_angle_deg;
 }
 
 void Certifier::add(TriangleFindings found) {
@@ -262,15 +262,16 @@ void Certifier::check_triangle(std::size_t t, TriangleFindings& found,
   if (!proof.is_in_tube) out.fail(Claim::Tube, not_in_tube(t, p, bounds));
   found.flow.add(static_cast<std::uint32_t>(t), shape.circumradius, proof.max_path,
                  rho - bounds.max_error, bounds.max_error);
+  found.shape.add(corner);
 }
 
 void Certifier::check_covering_degree() {
-  const std::vector<std::uint32_t> components = geometry::vertex_components(mesh_);
-  out_.components = 1 + std::ranges::max(components);
+  out_.components = 1 + std::ranges::max(components_);
   if (!out_.holds(Claim::Upright) || !out_.holds(Claim::Tube)) {
     return out_.fail(Claim::Degree, "not asked, for the flow is not shown to carry every triangle");
   }
-  const auto proved = CoveringDegree(located(), built_.mesh, components, flow_).proved_vertices();
+  const auto proved =
+      CoveringDegree(located(), built_.mesh, components_, flow_).proved_vertices(run_.threads());
   for (std::size_t i = 0; i < proved.size(); ++i) {
     if (proved[i]) {
       out_.degree_vertices.push_back(*proved[i]);

@@ -1,6 +1,7 @@
 #include "certify/covering_degree.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cfloat>
 #include <cmath>
 
@@ -8,6 +9,7 @@
 #include "certify/distance_bounds.h"
 #include "geometry/kd_tree.h"
 #include "geometry/orthogonal.h"
+#include "geometry/parallel.h"
 
 namespace morskin::certify {
 
@@ -18,6 +20,9 @@ constexpr double up = 1 + 1e-6, down = 1 - 1e-6;
 
 /// No candidate lies farther from the skin, over its length scale.
 constexpr double max_own_path = 0x1p-4;
+
+/// For what each thread may find of its own, in any order.
+constexpr auto relaxed = std::memory_order_relaxed;
 
 }  // namespace
 
@@ -127,40 +132,42 @@ bool CoveringDegree::may_cover(const geometry::TriangleCorners& triangle, Vertex
 CoveringDegree::Candidates CoveringDegree::candidates() const {
   constexpr std::size_t max_candidates = 16;
   const std::size_t count = 1 + std::ranges::max(components_);
-  Candidates result(count);
   std::vector<std::uint32_t> size(count, 0), seen(count, 0), number(count, geometry::no_index);
+  for (const std::uint32_t c : components_) ++size[c];
   std::uint32_t numbered = 0;
-  for (const auto& triangle : on_.mesh.triangles) {
-    const std::uint32_t c = components_[triangle[0]];
-    if (size[c]++ == 0) number[c] = numbered++;
+  for (auto t = on_.mesh.triangles.begin(); numbered < count; ++t) {
+    std::uint32_t& n = number[components_[(*t)[0]]];
+    if (n == geometry::no_index) n = numbered++;
   }
-  for (const auto& triangle : on_.mesh.triangles) {
-    const std::uint32_t c = components_[triangle[0]];
-    auto& list = result[number[c]];
-    const VertexId v{triangle[0]};
+  Candidates result(count);
+  for (std::size_t v = 0; v < components_.size(); ++v) {
+    const std::uint32_t c = components_[v];
     if (seen[c]++ % (size[c] / max_candidates + 1) != 0) continue;
-    if (std::find(list.begin(), list.end(), v) == list.end() && is_candidate(v)) list.push_back(v);
+    if (is_candidate(VertexId{v})) result[number[c]].push_back(VertexId{v});
   }
   return result;
 }
 
-std::vector<char> CoveringDegree::free_candidates(const Candidates& candidates) const {
+std::vector<char> CoveringDegree::free_candidates(const Candidates& candidates,
+                                                  unsigned threads) const {
   std::vector<VertexId> all;
   for (const auto& list : candidates) all.insert(all.end(), list.begin(), list.end());
   std::vector<char> is_free(on_.mesh.positions.size(), 0);
   for (const VertexId v : all) is_free[v.index()] = 1;
   const auto test = [&](const geometry::TriangleCorners& t, VertexId v) {
     const bool is_own = t[0] == v.value || t[1] == v.value || t[2] == v.value;
-    if (!is_own && is_free[v.index()] && may_cover(t, v)) is_free[v.index()] = 0;
+    const std::atomic_ref free(is_free[v.index()]);
+    if (!is_own && free.load(relaxed) && may_cover(t, v)) free.store(0, relaxed);
   };
-  test_far_triangles(all, test);
-  test_near_triangles(all, test);
+  test_far_triangles(all, threads, test);
+  test_near_triangles(all, threads, test);
   return is_free;
 }
 
 /// Tests each far triangle against the candidates within its bound.
 template <class Test>
-void CoveringDegree::test_far_triangles(const std::vector<VertexId>& candidates, Test test) const {
+void CoveringDegree::test_far_triangles(const std::vector<VertexId>& candidates, unsigned threads,
+                                        Test test) const {
   if (bounds_.far().empty()) return;
   std::vector<Point> positions;
   positions.reserve(candidates.size());
@@ -171,11 +178,14 @@ void CoveringDegree::test_far_triangles(const std::vector<VertexId>& candidates,
   }
   const geometry::KdTree<VertexId> tree(positions);
   constexpr double margin = 1.01;  // far above the rounding to single precision
-  for (const auto& [t, from_first_corner] : bounds_.far()) {
-    const auto& triangle = on_.mesh.triangles[t];
-    tree.for_each_within(on_.position(triangle[0]), margin * (from_first_corner + own_path),
-                         [&](const auto& near) { test(triangle, candidates[near.id.index()]); });
-  }
+  const auto far = bounds_.far();
+  geometry::for_each_block(threads, far.size(), [&](auto begin, auto end, auto) {
+    for (const auto& [t, from_first_corner] : far.subspan(begin, end - begin)) {
+      const auto& triangle = on_.mesh.triangles[t];
+      tree.for_each_within(on_.position(triangle[0]), margin * (from_first_corner + own_path),
+                           [&](const auto& near) { test(triangle, candidates[near.id.index()]); });
+    }
+  });
 }
 
 /// Tests the triangles at each vertex against the candidates near it.
@@ -184,7 +194,8 @@ void CoveringDegree::test_far_triangles(const std::vector<VertexId>& candidates,
 /// where it may cover it. With rho_v <= rho_a + |a - v| the corner is no farther from v than
 /// (ratio + k) / (1 - k) times rho_a.
 template <class Test>
-void CoveringDegree::test_near_triangles(const std::vector<VertexId>& candidates, Test test) const {
+void CoveringDegree::test_near_triangles(const std::vector<VertexId>& candidates, unsigned threads,
+                                         Test test) const {
   std::vector<Candidate> located;
   located.reserve(candidates.size());
   double k = 0;
@@ -195,7 +206,7 @@ void CoveringDegree::test_near_triangles(const std::vector<VertexId>& candidates
   const double ratio = up * (bounds_.ratio() + k) / (1 - k);
   // The length scales on both sides are known to max_doubt, and so are their octaves.
   const CandidateGrid grid(std::max(ratio, 1e-3) + 6 * FlowBounds::max_doubt, located);
-  for (std::uint32_t a = 0; a < on_.mesh.positions.size(); ++a) {
+  const auto test_triangles_at = [&](std::uint32_t a) {
     const double rho = (1 + 2 * FlowBounds::max_doubt) * on_.vertices[a].length_scale();
     grid.for_each_near(on_.position(a), rho, [&](VertexId v) {
       const double farthest = up * ratio * rho;
@@ -204,12 +215,16 @@ void CoveringDegree::test_near_triangles(const std::vector<VertexId>& candidates
         test({a, connectivity_.target(h).value, connectivity_.apex(h).value}, v);
       });
     });
-  }
+  };
+  const std::size_t count = on_.mesh.positions.size();
+  geometry::for_each_block(threads, count, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t a = begin; a < end; ++a) test_triangles_at(static_cast<std::uint32_t>(a));
+  });
 }
 
-std::vector<std::optional<VertexId>> CoveringDegree::proved_vertices() const {
+std::vector<std::optional<VertexId>> CoveringDegree::proved_vertices(unsigned threads) const {
   const Candidates all = candidates();
-  const std::vector<char> is_free = free_candidates(all);
+  const std::vector<char> is_free = free_candidates(all, threads);
   std::vector<std::optional<VertexId>> result(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto free =

@@ -62,7 +62,7 @@ class CoveringDegree {
 
   /// By component, in the order of their first triangles as geometry::check_mesh() has them, a
   /// vertex for which (c3) is proved, if there is one.
-  std::vector<std::optional<VertexId>> proved_vertices() const;
+  std::vector<std::optional<VertexId>> proved_vertices(unsigned threads = 1) const;
 
  private:
   /// By component, in that order, vertices at which to try (c3).
@@ -72,11 +72,13 @@ class CoveringDegree {
   bool own_triangles_do_not_return(VertexId v) const;
   bool turns_once(VertexId v) const;
   /// By vertex, whether it is a candidate that only its own triangles may cover.
-  std::vector<char> free_candidates(const Candidates& candidates) const;
+  std::vector<char> free_candidates(const Candidates& candidates, unsigned threads) const;
   template <class Test>
-  void test_far_triangles(const std::vector<VertexId>& candidates, Test test) const;
+  void test_far_triangles(const std::vector<VertexId>& candidates, unsigned threads,
+                          Test test) const;
   template <class Test>
-  void test_near_triangles(const std::vector<VertexId>& candidates, Test test) const;
+  void test_near_triangles(const std::vector<VertexId>& candidates, unsigned threads,
+                           Test test) const;
   bool may_cover(const geometry::TriangleCorners& triangle, VertexId v) const;
   double min_length_scale(VertexId v) const {
     const LocatedVertex& at = on_.vertices[v.index()];

@@ -1,7 +1,9 @@
 #include "certify/restricted_delaunay.h"
 
 #include <algorithm>
+#include <atomic>
 #include <optional>
+#include <vector>
 
 #include "certify/ball_pencil.h"
 #include "geometry/kd_tree.h"
@@ -144,7 +146,7 @@ RestrictedDelaunay restricted_delaunay(const IndexedMesh& mesh, const surface::S
 
 std::size_t local_delaunay_violations(const LocatedMesh& on,
                                       const geometry::GluedTriangles& connectivity,
-                                      const DelaunayFilter& filter) {
+                                      const DelaunayFilter& filter, unsigned threads) {
   const auto& triangles = on.mesh.triangles;
   const double rounding = rounding_of(on.mesh);
   const auto is_entered = [&](TriangleId t) {
@@ -165,17 +167,24 @@ std::size_t local_delaunay_violations(const LocatedMesh& on,
   };
   std::vector<char> is_open(triangles.size(), 0);  // an edge is not proved Delaunay
   const std::size_t count = 3 * triangles.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const HalfEdgeId h{i}, twin = connectivity.twin(h);
-    filter.prefetch(
-        connectivity.twin(HalfEdgeId{std::min(i + 3 * geometry::prefetch_ahead, count - 1)}));
-    if (twin < h || filter.certainly_delaunay(h, twin)) continue;
-    for (const HalfEdgeId side : {h, twin}) is_open[SurfaceMesh::triangle(side).index()] = 1;
-  }
-  std::size_t violations = 0;
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    violations += is_open[t] != 0 && is_entered(TriangleId{t});
-  }
+  geometry::for_each_block(threads, count, [&](auto begin, auto end, auto) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const HalfEdgeId h{i}, twin = connectivity.twin(h);
+      filter.prefetch(
+          connectivity.twin(HalfEdgeId{std::min(i + 3 * geometry::prefetch_ahead, count - 1)}));
+      if (twin < h || filter.certainly_delaunay(h, twin)) continue;
+      for (const HalfEdgeId side : {h, twin}) {
+        std::atomic_ref(is_open[SurfaceMesh::triangle(side).index()])
+            .store(1, std::memory_order_relaxed);
+      }
+    }
+  });
+  std::atomic<std::size_t> violations = 0;
+  geometry::for_each_block(threads, triangles.size(), [&](auto begin, auto end, auto) {
+    for (std::size_t t = begin; t < end; ++t) {
+      if (is_open[t] != 0 && is_entered(TriangleId{t})) ++violations;
+    }
+  });
   return violations;
 }
 

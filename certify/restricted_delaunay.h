@@ -55,6 +55,6 @@ RestrictedDelaunay restricted_delaunay(const geometry::IndexedMesh& mesh,
 /// @param filter        with all triangles noted
 std::size_t local_delaunay_violations(const LocatedMesh& on,
                                       const geometry::GluedTriangles& connectivity,
-                                      const DelaunayFilter& filter);
+                                      const DelaunayFilter& filter, unsigned threads = 1);
 
 }  // namespace morskin::certify

@@ -17,28 +17,6 @@ namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
 
-/// The extreme angles have the extreme cosines.
-struct CosineRange {
-  double largest = -1, smallest = 1;
-
-  /// Whether a triangle certainly has no cosine beyond, without a root; true for nearly all.
-  bool certainly_holds(const Vector& pq, const Vector& qr, const Vector& rp) const {
-    if (!(largest > 0 && smallest < 0)) return false;
-    constexpr double margin = 1 - 1e-12;  // far above rounding
-    const double above = margin * largest * largest, below = margin * smallest * smallest;
-    const double x = pq.squaredNorm(), y = qr.squaredNorm(), z = rp.squaredNorm();
-    const auto is_within = [&](double dot, double squares) {
-      return dot * dot < (dot < 0 ? above : below) * squares;
-    };
-    return is_within(pq.dot(rp), x * z) && is_within(pq.dot(qr), x * y) &&
-           is_within(qr.dot(rp), y * z);
-  }
-  void add(const TriangleShape& t) {
-    largest = std::max(largest, t.largest_cosine);
-    smallest = std::min(smallest, t.smallest_cosine);
-  }
-};
-
 /// The extreme angles of a mesh with needles: of an angle within some 10^-6 degrees of 0 or 180 the
 /// cosine tells nothing.
 void measure_needles(const IndexedMesh& mesh, MeshShape& shape) {
@@ -72,26 +50,57 @@ TriangleShape triangle_shape(const Point& p, const Point& q, const Point& r, con
   return shape;
 }
 
+/// Whether a triangle certainly has no cosine beyond those known, without a root; true for nearly
+/// all.
+bool ShapeMeasure::certainly_holds(const Vector& pq, const Vector& qr, const Vector& rp) const {
+  if (!(largest_cosine_ > 0 && smallest_cosine_ < 0)) return false;
+  constexpr double margin = 1 - 1e-12;  // far above rounding
+  const double above = margin * largest_cosine_ * largest_cosine_;
+  const double below = margin * smallest_cosine_ * smallest_cosine_;
+  const double x = pq.squaredNorm(), y = qr.squaredNorm(), z = rp.squaredNorm();
+  const auto is_within = [&](double dot, double squares) {
+    return dot * dot < (dot < 0 ? above : below) * squares;
+  };
+  return is_within(pq.dot(rp), x * z) && is_within(pq.dot(qr), x * y) &&
+         is_within(qr.dot(rp), y * z);
+}
+
+void ShapeMeasure::add(const TriangleCorners& triangle) {
+  const Point &p = mesh_->positions[triangle[0]], &q = mesh_->positions[triangle[1]],
+              &r = mesh_->positions[triangle[2]], &apex = mesh_->positions[0];
+  const Vector pq = q - p, rp = p - r, doubled = rp.cross(pq);
+  area_ += doubled.norm() / 2;
+  volume_ += (p - apex).dot(doubled) / 6;
+  if (certainly_holds(pq, r - q, rp)) return;
+  const TriangleShape exact = triangle_shape(p, q, r, apex);
+  largest_cosine_ = std::max(largest_cosine_, exact.largest_cosine);
+  smallest_cosine_ = std::min(smallest_cosine_, exact.smallest_cosine);
+}
+
+void ShapeMeasure::add(const ShapeMeasure& other) {
+  area_ += other.area_;
+  volume_ += other.volume_;
+  largest_cosine_ = std::max(largest_cosine_, other.largest_cosine_);
+  smallest_cosine_ = std::min(smallest_cosine_, other.smallest_cosine_);
+}
+
+MeshShape ShapeMeasure::shape() const {
+  MeshShape shape{.area = area_, .volume = volume_};
+  shape.min_angle_deg = std::acos(std::clamp(largest_cosine_, -1.0, 1.0)) * degrees;
+  shape.max_angle_deg = std::acos(std::clamp(smallest_cosine_, -1.0, 1.0)) * degrees;
+  constexpr double of_needles = 1 - 1e-8;  // within 0.01 degrees
+  if (std::max(largest_cosine_, -smallest_cosine_) > of_needles) measure_needles(*mesh_, shape);
+  return shape;
+}
+
 MeshShape measure_shape(const IndexedMesh& mesh) {
-  MeshShape shape;
-  CosineRange cosines;
+  ShapeMeasure measure(mesh);
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const auto& [a, b, c] = mesh.triangles[i];
     const std::size_t later = std::min(i + prefetch_ahead, mesh.triangles.size() - 1);
     for (const std::uint32_t v : mesh.triangles[later]) prefetch(&mesh.positions[v]);
-    const Point &p = mesh.positions[a], &q = mesh.positions[b], &r = mesh.positions[c];
-    const Vector pq = q - p, rp = p - r, doubled = rp.cross(pq);
-    shape.area += doubled.norm() / 2;
-    shape.volume += (p - mesh.positions[0]).dot(doubled) / 6;
-    if (!cosines.certainly_holds(pq, r - q, rp)) {
-      cosines.add(triangle_shape(p, q, r, mesh.positions[0]));
-    }
+    measure.add(mesh.triangles[i]);
   }
-  shape.min_angle_deg = std::acos(std::clamp(cosines.largest, -1.0, 1.0)) * degrees;
-  shape.max_angle_deg = std::acos(std::clamp(cosines.smallest, -1.0, 1.0)) * degrees;
-  constexpr double of_needles = 1 - 1e-8;  // within 0.01 degrees
-  if (std::max(cosines.largest, -cosines.smallest) > of_needles) measure_needles(mesh, shape);
-  return shape;
+  return measure.shape();
 }
 
 AngleHistogram angle_histogram(const IndexedMesh& mesh) {

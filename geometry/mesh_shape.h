@@ -34,6 +34,26 @@ struct MeshShape {
 };
 MeshShape measure_shape(const IndexedMesh& mesh);
 
+/// The same for whoever goes through the triangles anyway, some of them at a time.
+class ShapeMeasure {
+ public:
+  /// @param mesh  must outlive this
+  explicit ShapeMeasure(const IndexedMesh& mesh) : mesh_(&mesh) {}
+
+  void add(const TriangleCorners& triangle);
+  /// All that another has measured of the same mesh.
+  void add(const ShapeMeasure& other);
+  /// @pre all triangles have been added
+  MeshShape shape() const;
+
+ private:
+  bool certainly_holds(const Vector& pq, const Vector& qr, const Vector& rp) const;
+
+  const IndexedMesh* mesh_;
+  double area_ = 0, volume_ = 0;
+  double largest_cosine_ = -1, smallest_cosine_ = 1;  ///< of the extreme angles
+};
+
 /// By vertex, the number of its component; they count from 0 in the order of their first vertices.
 std::vector<std::uint32_t> vertex_components(const IndexedMesh& mesh);
 

@@ -57,14 +57,25 @@ void sort_few_unique(std::vector<Value>& values) {
   values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
+/// Of some tetrahedra, the simplices of the highest dimension and, of each lower one, those that
+/// begin with an atom with which no simplex about them of a higher dimension begins.
+struct Found {
+  Simplices<4> tetrahedra;
+  Simplices<3> triangles;
+  Simplices<2> edges;
+};
+
 /// Simplices by their first corner.
 template <std::size_t Size>
 using Buckets = Grouped<std::array<AtomId, Size>>;
 
 template <std::size_t Size>
-Buckets<Size> into_buckets(const Simplices<Size>& simplices, std::size_t atom_count) {
+Buckets<Size> into_buckets(const std::vector<Found>& found, Simplices<Size> Found::*simplices,
+                           std::size_t atom_count) {
   return grouped<std::array<AtomId, Size>>(atom_count, [&](auto visit) {
-    for (const auto& simplex : simplices) visit(simplex[0].index(), simplex);
+    for (const Found& part : found) {
+      for (const auto& simplex : part.*simplices) visit(simplex[0].index(), simplex);
+    }
   });
 }
 
@@ -95,14 +106,6 @@ Buckets<Size> joined(const std::vector<Buckets<Size>>& parts, unsigned threads) 
   return result;
 }
 
-/// The simplices of the highest dimension and, of each lower one, those that begin with an atom
-/// with which no simplex about them of a higher dimension begins.
-struct Found {
-  Simplices<4> tetrahedra;
-  Simplices<3> triangles;
-  Simplices<2> edges;
-};
-
 /// A tetrahedron's corners in the order of their atoms.
 struct SortedCorners {
   std::array<AtomId, 4> atoms;
@@ -129,16 +132,16 @@ struct SortedCorners {
 /// Such a triangle is the facet opposite the first corner of a tetrahedron, and the corner behind
 /// it comes before its own corners too; such an edge joins the last two corners of all tetrahedra
 /// about it. The edges are some more than these.
-Found find_in_space(const Triangulator& triangulator) {
+Found find_in_space(const Triangulator& triangulator, std::size_t begin, std::size_t end) {
   Found found;
   const auto tetrahedra = triangulator.tetrahedra();
-  found.tetrahedra.reserve(tetrahedra.size());
+  found.tetrahedra.reserve(end - begin);
   const auto is_behind_before = [&](Triangulator::Facet facet, AtomId atom) {
     const auto& there = tetrahedra[Triangulator::tetrahedron_of(facet)];
     const auto behind = triangulator.atom(there.corners[Triangulator::index_of(facet)]);
     return !behind || *behind < atom;  // nothing at infinity
   };
-  for (std::size_t i = 0; i < tetrahedra.size(); ++i) {
+  for (std::size_t i = begin; i < end; ++i) {
     const Triangulator::Tetrahedron& t = tetrahedra[i];
     if (!triangulator.is_live(i) || triangulator.is_ghost(t)) continue;
     const SortedCorners corners(triangulator, t);
@@ -152,10 +155,10 @@ Found find_in_space(const Triangulator& triangulator) {
 }
 
 /// The same of points in a plane or on a line, where apexes take the place of other corners.
-Found find_in_span(const Triangulator& triangulator) {
+Found find_in_span(const Triangulator& triangulator, std::size_t begin, std::size_t end) {
   Found found;
   const auto tetrahedra = triangulator.tetrahedra();
-  for (std::size_t i = 0; i < tetrahedra.size(); ++i) {
+  for (std::size_t i = begin; i < end; ++i) {
     if (!triangulator.is_live(i) || triangulator.is_ghost(tetrahedra[i])) continue;
     std::vector<AtomId> atoms;
     for (const Triangulator::Corner corner : tetrahedra[i].corners) {
@@ -169,6 +172,16 @@ Found find_in_span(const Triangulator& triangulator) {
   return found;
 }
 
+std::vector<Found> find_all(const Triangulator& triangulator, unsigned threads) {
+  const auto find = triangulator.dimension() == 3 ? find_in_space : find_in_span;
+  const std::size_t count = triangulator.tetrahedra().size();
+  std::vector<Found> found(block_count(count));
+  for_each_block(threads, count, [&](std::size_t begin, std::size_t end, std::size_t block) {
+    found[block] = find(triangulator, begin, end);
+  });
+  return found;
+}
+
 /// All simplices, sorted.
 struct Complex {
   Buckets<4> tetrahedra;
@@ -178,11 +191,16 @@ struct Complex {
 
 /// What begins with an atom are the facets of what begins with it a dimension higher, and what was
 /// found apart.
-Complex complete(Found found, std::size_t atom_count, unsigned threads) {
-  Buckets<4> tetrahedra = into_buckets(found.tetrahedra, atom_count);
-  Buckets<3> other_triangles = into_buckets(found.triangles, atom_count);
-  Buckets<2> other_edges = into_buckets(found.edges, atom_count);
-  found = {};
+Complex complete(std::vector<Found> found, std::size_t atom_count, unsigned threads) {
+  Buckets<4> tetrahedra;
+  Buckets<3> other_triangles;
+  Buckets<2> other_edges;
+  for_each_task(threads, 3, [&](std::size_t task) {
+    if (task == 0) tetrahedra = into_buckets(found, &Found::tetrahedra, atom_count);
+    if (task == 1) other_triangles = into_buckets(found, &Found::triangles, atom_count);
+    if (task == 2) other_edges = into_buckets(found, &Found::edges, atom_count);
+  });
+  found.clear();
   std::vector<Buckets<3>> triangles(block_count(atom_count));
   std::vector<Buckets<2>> edges(block_count(atom_count));
   for_each_block(threads, atom_count, [&](std::size_t begin, std::size_t end, std::size_t block) {
@@ -258,11 +276,11 @@ AtomId heaviest(std::span<const WeightedPoint> points) {
 RegularTriangulation regular_triangulation(std::span<const WeightedPoint> points, const Run& run) {
   RegularTriangulation result;
   std::vector<bool> is_vertex(points.size(), false);
-  Found found;
+  std::vector<Found> found;
   {
     const Triangulator triangulator(points, run);
     result.dimension = triangulator.dimension();
-    found = result.dimension == 3 ? find_in_space(triangulator) : find_in_span(triangulator);
+    found = find_all(triangulator, run.threads());
   }
   if (result.dimension == 0) is_vertex[heaviest(points).index()] = true;
   Complex all = complete(std::move(found), points.size(), run.threads());

@@ -84,7 +84,7 @@ class Smoothing {
   /// What came of some triangles.
   struct Work {
     std::size_t moved = 0;
-    std::vector<TriangleId> changed;  ///< next to a moved vertex
+    std::vector<TriangleId> changed;  ///< next to a moved vertex, that miss the goal
     std::vector<TriangleId> left;     ///< with a vertex that was not theirs to move
 
     void add(const Work& other) {
@@ -120,6 +120,7 @@ class Smoothing {
     Work work;
     VertexMover mover(surface_, sizing_, mesh_, goal_, subdomain);
     for (const TriangleId t : triangles) improve(t, mover, work);
+    keep_those_that_miss(work.changed);
     return work;
   }
 

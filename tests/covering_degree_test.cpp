@@ -63,7 +63,7 @@ class Top {
     const auto built = geometry::closed_triangles(mesh_.positions.size(), mesh_.triangles);
     REQUIRE_FALSE(built.defect);
     const auto components = geometry::vertex_components(mesh_);
-    return CoveringDegree(located, built.mesh, components, flow).proved_vertices()[0].has_value();
+    return CoveringDegree(located, built.mesh, components, flow).proved_vertices(2)[0].has_value();
   }
 
   static constexpr double size = 1e-3;

@@ -262,6 +262,19 @@ TEST_CASE("the extreme angles of a mesh are exactly those of its triangles one b
   });
 }
 
+TEST_CASE("a mesh measured in parts, in any order, has the shape of the whole") {
+  const IndexedMesh mesh = sphere(3);
+  const geometry::MeshShape whole = geometry::measure_shape(mesh);
+  geometry::ShapeMeasure measured(mesh);
+  std::array parts{measured, measured, measured};
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) parts[t * t % 3].add(mesh.triangles[t]);
+  for (const auto& part : parts) measured.add(part);
+  CHECK(measured.shape().min_angle_deg == whole.min_angle_deg);
+  CHECK(measured.shape().max_angle_deg == whole.max_angle_deg);
+  CHECK(measured.shape().area == doctest::Approx(whole.area).epsilon(1e-14));
+  CHECK(measured.shape().volume == doctest::Approx(whole.volume).epsilon(1e-13));
+}
+
 TEST_CASE("the angles of needles are told, of which cosines tell nothing") {
   for (const double height : {1e-3, 1e-6, 1e-9, 1e-12, 1e-100}) {
     const IndexedMesh needle{{{0, 0, 0}, {1, 0, 0}, {0.5, height, 0}, {0.5, 0.3, 1}},

@@ -21,7 +21,7 @@ std::size_t local_violations(const Good& good, const IndexedMesh& mesh) {
               good.skin.surface.residual_bound(p[0]->length_scale));
   }
   const auto glued = geometry::closed_triangles(mesh.positions.size(), mesh.triangles);
-  return certify::local_delaunay_violations(on, glued.mesh, sure);
+  return certify::local_delaunay_violations(on, glued.mesh, sure, 3);
 }
 
 /// Whether a triangle's surface ball counts: found to rounding, of one smaller than its length
