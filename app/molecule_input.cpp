@@ -4,6 +4,7 @@
 #include <iostream>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <utility>
 
 #include "app/report_lines.h"
@@ -64,6 +65,18 @@ std::string listed(const skin::Molecule& molecule, const std::vector<geometry::A
   return names;
 }
 
+/// skin::parse_molecule; of a file with the name of a mesh it is also told which command takes one.
+skin::Molecule parsed_molecule(std::string_view bytes, const std::string& name,
+                               const skin::ReadOptions& options) {
+  try {
+    return skin::parse_molecule(bytes, name, options);
+  } catch (const geometry::UnreadableInput& error) {
+    if (!names_a_mesh(name)) throw;
+    throw geometry::UnreadableInput(std::string(error.what()) +
+                                    "; to check a mesh: morskin check " + name);
+  }
+}
+
 }  // namespace
 
 MoleculeInput read_input(const MoleculeArguments& arguments) {
@@ -80,7 +93,7 @@ MoleculeInput read_input(const MoleculeArguments& arguments) {
     bytes = unpacked = geometry::unpack_gzip(bytes, name, options.max_bytes);
   }
   input.sha256 = sha256_of(bytes);
-  input.molecule = skin::parse_molecule(bytes, name, options);
+  input.molecule = parsed_molecule(bytes, name, options);
   const bool gives_weights = !input.molecule.weights.empty();
   if (gives_weights != (arguments.model == skin::Model::Given)) {
     throw UsageError(input.molecule.source + (gives_weights

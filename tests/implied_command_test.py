@@ -30,6 +30,15 @@ class WithoutACommand(CommandTest):
         arrays = self.input("arrays.npz", "PK")
         self.assertIn(b"are only written", self.run_morskin(arrays, code=3).stderr)
 
+    def test_a_mesh_in_place_of_a_molecule_is_told_which_command_checks_it(self):
+        self.run_morskin(self.ring, "-o", "ring.ply", "-o", "ring.vert", "-q", "-C", "0.4")
+        for name in ("ring.ply", "ring.vert"):
+            for words in (("mesh", name, "-o", "out.ply"), (name, "-o", "out.ply"), ("info", name)):
+                said = self.run_morskin(*words, code=3).stderr.decode()
+                self.assertTrue(said.endswith(f"; to check a mesh: morskin check {name}\n"), said)
+        other = self.input("prose", "no molecule\n")
+        self.assertNotIn(b"check", self.run_morskin("info", other, code=3).stderr)
+
     def test_a_word_that_is_neither_command_nor_file_is_refused_with_the_commands_listed(self):
         for words in (["mehs", self.ring], ["mehs", self.ring, "-o", "ring.ply"]):
             complaint = self.run_morskin(*words, code=2).stderr.decode()
