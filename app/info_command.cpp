@@ -118,14 +118,15 @@ std::string shell_word(const std::string& word) {
 }
 
 /// What a newcomer types to have the mesh of what was typed.
-std::string next_step(const std::filesystem::path& input, const std::vector<std::string>& words) {
+std::string next_step(const std::filesystem::path& input, std::vector<std::string> words) {
   const bool is_named = input != "-";
   std::filesystem::path mesh = is_named ? input.filename() : "mesh";
   if (mesh.extension() == ".gz") mesh = mesh.stem();
+  // Behind "--", where inputs stand, it would be no option.
+  words.insert(std::ranges::find(words, "--"), {"-o", mesh.replace_extension(".ply").string()});
   std::string command = "morskin";
   for (const std::string& word : words) command.append(" ").append(shell_word(word));
-  return command + " -o " + shell_word(mesh.replace_extension(".ply").string()) +
-         " writes the mesh; all options: morskin mesh --help";
+  return command + " writes the mesh; all options: morskin mesh --help";
 }
 
 std::string estimate_text(const Estimate& estimate) {

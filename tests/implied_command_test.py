@@ -39,6 +39,18 @@ class WithoutACommand(CommandTest):
         other = self.input("prose", "no molecule\n")
         self.assertNotIn(b"check", self.run_morskin("info", other, code=3).stderr)
 
+    def test_an_input_behind_two_hyphens_is_described_or_checked_whatever_its_name(self):
+        self.input("-x.xyzr", self.ring.read_bytes())
+        text = self.run_morskin("--", "-x.xyzr").stdout.decode()
+        self.assertIn(self.run_morskin("info", "--", "-x.xyzr").stdout.decode(), text)
+        step = re.search(r"next +morskin (.*?) writes", text).group(1)
+        self.run_morskin(*step.split())
+        self.assertEqual(self.names(), ["-x.ply", "-x.xyzr"])
+        self.assertEqual(self.run_morskin("--", "-x.ply").stdout,
+                         self.run_morskin("check", "--", "-x.ply").stdout)
+        said = self.run_morskin("--", "mesh", code=3).stderr  # no command there
+        self.assertIn(b"mesh: cannot be opened", said)
+
     def test_a_word_that_is_neither_command_nor_file_is_refused_with_the_commands_listed(self):
         for words in (["mehs", self.ring], ["mehs", self.ring, "-o", "ring.ply"]):
             complaint = self.run_morskin(*words, code=2).stderr.decode()
