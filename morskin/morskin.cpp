@@ -55,8 +55,9 @@ certify::Sizing sizing_of(const MeshOptions& options) {
   if (!options.edge_length) return sizing;
   require_sound({.sizing = sizing});  // or the length would be blamed for C or Q
   sizing.set_edge_length(*options.edge_length);
-  if (!(sizing.largest_length_scale >= certify::Sizing::min_size)) {
-    throw geometry::RefusedInput("the length of edges is too small, or no number");
+  const bool is_finite = std::isfinite(*options.edge_length);
+  if (!is_finite || !(sizing.largest_length_scale >= certify::Sizing::min_size)) {
+    throw geometry::RefusedInput("the length of edges is too small, or no finite number");
   }
   return sizing;
 }

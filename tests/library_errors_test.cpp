@@ -88,10 +88,10 @@ TEST_CASE("what makes no sense is refused in words that name it") {
     }
     return "nothing";
   };
-  for (const double length : {0., -1., nan, 1e-300}) {
+  for (const double length : {0., -1., nan, 1e-300, infinite}) {
     CAPTURE(length);
     CHECK(said({.C = 0.3, .edge_length = length}) ==
-          "the length of edges is too small, or no number");
+          "the length of edges is too small, or no finite number");
   }
   for (const double C : {nan, -1., 0., infinite}) {
     CAPTURE(C);

@@ -32,7 +32,7 @@ class Errors(ModuleTest):
                 {"density": -3}, {"density": 5, "triangles": 100}, {"triangles": 1},
                 {"max_length_scale": 0}, {"edge_length": -1}, {"edge_length": 1, "density": 1},
                 {"angle_goal_deg": 61}, {"fronts": 0}, {"fronts": -1}, {"method": "fast"},
-                {"grading": 0},
+                {"grading": 0}, {"edge_length": math.inf}, {"edge_length": nan},
                 {"direction": [0, 0, 0]}, {"direction": [0, nan, 0]}, {"direction": 1},
                 {"direction": []}, {"threads": 0}, {"threads": -1}):
             with self.assertRaises(ValueError, msg=options):
