@@ -4,11 +4,12 @@ Usage: batch_sources_test.py path/to/morskin"""
 
 import gzip
 import os
+import resource
 import subprocess
 import tarfile
 
 from support.batch_case import COARSE, Batch, chain
-from support.command import main
+from support.command import main, morskin
 
 
 class Sources(Batch):
@@ -75,6 +76,19 @@ class Sources(Batch):
         whole = (self.folder / "in.tar.gz").read_bytes()
         self.input("torn.tar.gz", whole[:len(whole) // 2])
         self.assertIn("torn.tar.gz: ", self.batch("torn.tar.gz", "-o", "out", code=3))
+
+    def test_an_archive_that_cannot_be_opened_for_want_of_descriptors_is_told_so(self):
+        self.chains(1)
+        with tarfile.open(self.folder / "in.tar", "w") as archive:
+            archive.add(self.folder / "in", arcname="in")
+        run = subprocess.Popen([morskin(), "batch", "-", "in.tar", "-o", "out"], cwd=self.folder,
+                               stdin=subprocess.PIPE, stderr=subprocess.PIPE)
+        run.stdin.write(b"# more than a pipe holds, so that it has been read from\n" * 10000)
+        resource.prlimit(run.pid, resource.RLIMIT_NOFILE, (3, 3))
+        complaint = run.communicate(b"in/chain00.xyzr\n", timeout=60)[1].decode()
+        self.assertEqual(run.returncode, 3)
+        self.assertEqual(complaint, "morskin: in.tar: cannot be opened: Too many open files; "
+                                    "allow more open files (ulimit -n)\n")
 
     def test_archives_behind_each_other_in_one_file_are_all_read(self):
         self.chains(2)

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <system_error>
 
 #include "app/output_names.h"
 #include "geometry/error.h"
@@ -54,10 +53,7 @@ Archive::Archive(std::filesystem::path path)
   ::archive_read_support_filter_xz(opened);
   ::archive_read_support_filter_zstd(opened);
   const gzFile file = ::gzopen(path_.c_str(), "rb");
-  if (file == nullptr) {
-    throw geometry::UnreadableInput(path_.string() + ": cannot be opened: " +
-                                    std::generic_category().message(errno) + "; check the name");
-  }
+  if (file == nullptr) geometry::fail_to_open(path_, errno);
   source_.reset(new Source{file, {}});
   if (::archive_read_open(opened, source_.get(), nullptr, Source::read_for, nullptr) !=
       ARCHIVE_OK) {

@@ -90,19 +90,20 @@ std::string create_beside(const std::filesystem::path& target, int& number) {
 
 }  // namespace
 
+void fail_to_open(const std::filesystem::path& path, int error) {
+  const char* cure = "; check the name";
+  if (error == EACCES) cure = "; ask for the right to read it";
+  if (error == EMFILE || error == ENFILE) cure = "; allow more open files (ulimit -n)";
+  fail_to_read(path, "cannot be opened: " + reason(error) + cure);
+}
+
 FileBytes read_file(const std::filesystem::path& path, std::size_t max_bytes) {
   if (path.empty()) throw UnreadableInput("the name of a file to read is empty; give one");
   if (const std::string fault = fault_of_nul(path); !fault.empty()) throw UnreadableInput(fault);
   const bool is_standard_input = path == "-";
   Descriptor file(is_standard_input ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC),
                   !is_standard_input);
-  if (!file.is_open()) {
-    const int error = errno;
-    const char* cure = "; check the name";
-    if (error == EACCES) cure = "; ask for the right to read it";
-    if (error == EMFILE || error == ENFILE) cure = "; allow more open files (ulimit -n)";
-    fail_to_read(path, "cannot be opened: " + reason(error) + cure);
-  }
+  if (!file.is_open()) fail_to_open(path, errno);
   struct stat status {};
   if (::fstat(file.number(), &status) != 0) fail_to_read(path, reason(errno) + "; try again");
   if (S_ISDIR(status.st_mode)) fail_to_read(path, "is a folder; name a file in it");

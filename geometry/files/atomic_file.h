@@ -31,6 +31,10 @@ class FileBytes {
 FileBytes read_file(const std::filesystem::path& path,
                     std::size_t max_bytes = std::numeric_limits<std::size_t>::max() / 4);
 
+/// @param error  of the system
+/// @throws UnreadableInput  "path: cannot be opened: reason; what to do"
+[[noreturn]] void fail_to_open(const std::filesystem::path& path, int error);
+
 /// Writes all of it to an open file. @return 0, or the error of the write that failed
 int write_all(int file, std::string_view bytes);
 
