@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <numeric>
 #include <utility>
@@ -74,6 +75,17 @@ std::optional<std::string> of_same_words(const CLI::App& app, std::string_view w
   return longest;
 }
 
+/// "--biological-assembly" for what others call it, with hyphens or without.
+std::optional<std::string> of_same_meaning(const CLI::App& app, std::string word) {
+  constexpr std::array<std::string_view, 4> others{"bioassembly", "biounit", "biologicalunit",
+                                                   "biomolecule"};
+  std::erase(word, '-');
+  if (std::ranges::find(others, word) == others.end()) return std::nullopt;
+  const std::vector<std::string> names = long_names(app);
+  const auto own = std::ranges::find(names, "--biological-assembly");
+  return own == names.end() ? std::nullopt : std::optional(*own);
+}
+
 }  // namespace
 
 std::optional<std::string> nearest_option(const CLI::App& app, std::string_view typed) {
@@ -90,6 +102,7 @@ std::optional<std::string> nearest_option(const CLI::App& app, std::string_view 
     least = distance;
     nearest = name;
   }
+  if (!nearest) nearest = of_same_meaning(app, word);
   return nearest ? nearest : of_same_words(app, word);
 }
 

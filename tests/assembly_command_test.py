@@ -267,6 +267,11 @@ class Assemblies(CommandTest):
             self.check(self.positions("names.pdb", "--biological-assembly", "1"),
                        [[1, 2, 3], [2, 2, 3]])
 
+    def test_by_what_others_call_it_the_option_is_found(self):
+        for word in ("--assembly", "--bioassembly", "--bio-assembly", "--biounit", "--bio_unit=1"):
+            said = self.run_morskin("info", self.ring, word, "1", code=2).stderr.decode()
+            self.assertIn(f"{word} is no option, did you mean --biological-assembly?", said)
+
     def test_a_damaged_remark_is_refused_with_its_line(self):
         text, motion = self.two_fold()
         good = remark_350([IDENTITY, motion]).splitlines()
