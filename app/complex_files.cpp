@@ -7,6 +7,7 @@
 #include "app/function_argument.h"
 #include "app/output_names.h"
 #include "app/report.h"
+#include "app/selection_arguments.h"
 #include "geometry/files/text_lines.h"
 #include "geometry/files/vtu_grid.h"
 
@@ -44,6 +45,7 @@ ordered_json head(const ComplexReport& report) {
   const morse::Simplification& left = report.simplified;
   ordered_json json = {{"input", asked.molecule.input.string()}};
   add_model(json, asked.molecule);
+  add_selection(json, asked.molecule.selection);
   json["function"] = function_json(report.function);
   json["unit"] = unit_of(report.function);
   json["simplification"] = simplifications[static_cast<std::size_t>(asked.simplify)];

@@ -158,6 +158,13 @@ class Selections(CommandTest):
         spelt = self.info("--altloc", "likeliest", "--hydrogens", "keep", "--hetatm", "all")
         self.assertEqual(spelt, self.info())
 
+    def test_a_morse_smale_complex_states_the_selection(self):
+        for words, stated in (((), None), (("--chain", "A", "--hydrogens", "drop"),
+                                           {"chain": ["A"], "hydrogens": "drop"})):
+            self.run_morskin("morse", "two.pdb", "-o", "two.json", "-q", *words)
+            told = json.loads((self.folder / "two.json").read_text())
+            self.assertEqual(told.get("selection"), stated)
+
     def test_the_report_states_the_selection_and_what_it_left_out(self):
         words = ("two.pdb", "-o", "two.ply", "--chain", "A", "--altloc", "A", "--hydrogens", "drop",
                  "--hetatm", "none", "--model-number", "1")
